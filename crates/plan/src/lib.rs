@@ -1,1 +1,173 @@
-//! placeholder
+//! From a scene to what a tracer needs and nothing more: the unreachable left out, the root's unions flattened into
+//! islands, equal shapes found, bounds, a bounding volume hierarchy, features, and numbers relative to the eye.
+//!
+//! It must not know pictures, OpenCL, or how a scene is written.
+
+mod bounds;
+mod bvh;
+mod features;
+mod flatten;
+mod frame;
+mod node_facts;
+mod packed;
+mod program;
+mod real;
+mod shapes;
+
+use std::fmt;
+
+use scenec_scene::{DVec3, Scene};
+
+pub use bounds::Box3;
+pub use features::Features;
+pub use frame::{Lamp, Paint, View};
+pub use packed::{Field, FieldKind, LAYOUTS, Layout, Packed, packed_structs};
+pub use program::{Instruction, OPERATION_SHIFT, evaluate};
+pub use real::Real;
+pub use shapes::{Shape, ShapeKind};
+
+/// The deepest hierarchy that a plan may hold: a traversal waits with at most this many nodes.
+pub const HIERARCHY_DEPTH: usize = bvh::MAX_DEPTH;
+
+/// The most leaves that one island's program may name; a shared operand counts every time it is used.
+pub const MAX_PROGRAM: u64 = 1 << 24;
+
+/// Everything a tracer needs. Lengths are in plan units: world units times `scale`, measured from `origin`.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The camera, the picture's size, the sample points.
+    pub view: View,
+    /// The lights.
+    pub lights: Vec<Lamp>,
+    /// The materials that some leaf uses.
+    pub materials: Vec<Paint>,
+    /// The distinct surfaces.
+    pub shapes: Vec<Shape>,
+    /// The distinct leaves, left before right: the lower number owns where two coincide.
+    pub leaves: Vec<Leaf>,
+    /// The operands of the root's unions: first the unbounded ones, then the bounded ones in the order of the hierarchy.
+    pub islands: Vec<Island>,
+    /// How many islands stand before those that the hierarchy holds.
+    pub linear: usize,
+    /// The programs of all islands, one after another.
+    pub program: Vec<Instruction>,
+    /// The leaves (indices) that the islands' programs name, ascending within an island.
+    pub members: Vec<u32>,
+    /// The hierarchy over the bounded islands; empty where a list serves better. The root is node 0.
+    pub nodes: Vec<packed_structs::Node>,
+    /// Entry j bounds what a ray that may still bounce j times can bring back, any component.
+    pub reach: Vec<f64>,
+    /// Whether the eye stands inside the solid.
+    pub inside: bool,
+    /// The point of the world that is the plan's origin.
+    pub origin: DVec3,
+    /// Plan units per world unit: a power of two.
+    pub scale: f64,
+}
+
+/// A surface and what it is made of.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Leaf {
+    /// Its surface, an index of [`Plan::shapes`].
+    pub shape: u32,
+    /// Its material, an index of [`Plan::materials`].
+    pub material: u32,
+    /// The scene's number of the solid that it comes from.
+    pub solid: u32,
+}
+
+/// An operand of the root's unions: a single leaf, or a tree of leaves as a program.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Island {
+    /// First and one past the last of its instructions; a single leaf has one.
+    pub program: (u32, u32),
+    /// First and one past the last of its members.
+    pub members: (u32, u32),
+    /// What holds it.
+    pub bounds: Box3,
+}
+
+/// Why there is no plan.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PlanError {
+    /// A tree of intersections and subtractions that shares its operands so often that, written out, it is too large.
+    ProgramTooLarge {
+        /// How many leaves it has, written out.
+        leaves: u64,
+    },
+    /// More of something than 32 bits count.
+    TooMany(&'static str),
+    /// The camera's frame does not exist; interpretation refuses such a scene.
+    NoView,
+}
+
+impl fmt::Display for PlanError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ProgramTooLarge { leaves } => write!(
+                f,
+                "a combination has {leaves} base objects when each use of a shared operand is counted; at most {MAX_PROGRAM} are traced"
+            ),
+            Self::TooMany(what) => write!(f, "the scene has more {what} than 32 bits can count"),
+            Self::NoView => f.write_str("the camera has no direction"),
+        }
+    }
+}
+
+impl std::error::Error for PlanError {}
+
+/// Plans a scene.
+///
+/// # Errors
+/// [`PlanError`] for a scene beyond the stated limits.
+pub fn plan(scene: &Scene) -> Result<Plan, PlanError> {
+    let facts = node_facts::gather(scene);
+    let flat = flatten::flatten(scene, &facts)?;
+    let place = frame::place(scene, &flat)?;
+    let flat = bvh::arrange(flat.relative(&place));
+    let lights = frame::lamps(scene, &place);
+    let materials = frame::paints(scene, &flat.materials);
+    let mut plan = Plan {
+        reach: frame::reach(scene, &materials, &lights),
+        inside: false,
+        origin: place.origin,
+        scale: place.scale,
+        view: frame::view(scene, &place),
+        lights,
+        materials,
+        shapes: flat.shapes,
+        leaves: flat.leaves,
+        islands: flat.islands,
+        linear: flat.linear,
+        program: flat.program,
+        members: flat.members,
+        nodes: flat.nodes,
+    };
+    plan.inside = plan.holds(plan.view.eye);
+    Ok(plan)
+}
+
+impl Plan {
+    /// Whether the solid holds a point, plan units; the surface itself counts as inside.
+    #[must_use]
+    pub fn holds(&self, point: DVec3) -> bool {
+        self.islands.iter().any(|island| {
+            island.bounds.holds(point)
+                && program::evaluate(self.program_of(island), |local| {
+                    self.member(island, local)
+                        .is_some_and(|leaf| self.shapes[leaf.shape as usize].holds(point))
+                })
+        })
+    }
+
+    /// The instructions of an island.
+    #[must_use]
+    pub fn program_of(&self, island: &Island) -> &[Instruction] {
+        &self.program[island.program.0 as usize..island.program.1 as usize]
+    }
+
+    fn member(&self, island: &Island, local: u32) -> Option<&Leaf> {
+        let leaf = self.members.get((island.members.0 + local) as usize)?;
+        self.leaves.get(*leaf as usize)
+    }
+}

@@ -1,0 +1,187 @@
+//! The hierarchy over bounded islands.
+
+use obvhs::BvhBuildParams;
+use obvhs::aabb::Aabb;
+use obvhs::bvh2::builder::build_bvh2;
+use obvhs::bvh2::node::Bvh2Node;
+
+use crate::Box3;
+use crate::flatten::Flat;
+use crate::packed::packed_structs::Node;
+
+/// Up to this many bounded islands a list is walked faster than a tree.
+const SHORT_LIST: usize = 8;
+/// The deepest hierarchy that the tracers' stacks hold.
+pub(crate) const MAX_DEPTH: usize = 64;
+/// The most islands in a leaf of the hierarchy.
+const LEAF_ISLANDS: usize = 4;
+
+/// Puts the unbounded islands first and the rest into the order of a hierarchy, if there are enough of them.
+pub(crate) fn arrange(mut flat: Flat) -> Flat {
+    flat.islands.sort_by_key(|island| island.bounds.is_finite());
+    flat.linear = flat.islands.partition_point(|island| !island.bounds.is_finite());
+    let bounded = &flat.islands[flat.linear..];
+    if bounded.len() <= SHORT_LIST {
+        flat.linear = flat.islands.len();
+        return flat;
+    }
+    let boxes: Vec<_> = bounded.iter().map(|island| outward(&island.bounds)).collect();
+    let (order, nodes) = build(&boxes);
+    let bounded = order.iter().map(|index| bounded[*index as usize]).collect::<Vec<_>>();
+    flat.islands.truncate(flat.linear);
+    flat.islands.extend(bounded);
+    let first = flat.linear as u32;
+    flat.nodes = nodes
+        .into_iter()
+        .map(|node| {
+            if node.count > 0 {
+                Node {
+                    first: node.first + first,
+                    ..node
+                }
+            } else {
+                node
+            }
+        })
+        .collect();
+    flat
+}
+
+type Corners = [[f32; 3]; 2];
+
+/// The box in singles, never smaller, and widened by a few roundings of a tracer's own box test: the coordinate itself
+/// (u), the subtraction of the origin (u), the product (u), each doubled since the origin's coordinate is rounded too.
+fn outward(bounds: &Box3) -> Corners {
+    const SLACK: f64 = 6.0 * f32::EPSILON as f64;
+    let slack = bounds.min.abs().max(bounds.max.abs()) * SLACK;
+    let low = (bounds.min - slack).to_array().map(|x| (x as f32).next_down());
+    let high = (bounds.max + slack).to_array().map(|x| (x as f32).next_up());
+    [low, high]
+}
+
+/// The order of the islands, and nodes whose leaves count from 0 in that order.
+fn build(boxes: &[Corners]) -> (Vec<u32>, Vec<Node>) {
+    let aabbs: Vec<_> = boxes
+        .iter()
+        .map(|[low, high]| Aabb::new((*low).into(), (*high).into()))
+        .collect();
+    let params = BvhBuildParams {
+        max_prims_per_leaf: LEAF_ISLANDS as u32,
+        ..BvhBuildParams::medium_build()
+    };
+    let tree = build_bvh2(&aabbs, params, &mut std::time::Duration::default());
+    let nodes: Vec<_> = tree.nodes.iter().map(node).collect();
+    let sound = tree.primitive_indices.len() == boxes.len() && !nodes.is_empty();
+    if sound && depth(&nodes) <= MAX_DEPTH {
+        (tree.primitive_indices, nodes)
+    } else {
+        halved(boxes)
+    }
+}
+
+fn node(node: &Bvh2Node) -> Node {
+    Node {
+        low: node.aabb.min.to_array(),
+        high: node.aabb.max.to_array(),
+        first: node.first_index,
+        count: node.prim_count,
+    }
+}
+
+fn depth(nodes: &[Node]) -> usize {
+    let mut deepest = 0;
+    let mut open = vec![(0_u32, 1)];
+    while let Some((index, level)) = open.pop() {
+        deepest = deepest.max(level);
+        match nodes.get(index as usize) {
+            Some(node) if node.count == 0 && level <= MAX_DEPTH => {
+                open.extend([(node.first, level + 1), (node.first + 1, level + 1)]);
+            }
+            _ => {}
+        }
+    }
+    deepest
+}
+
+/// A plain halving of the islands by their centres along the longest axis: as deep as the logarithm of their number
+/// whatever the input, for the inputs on which the better builder's tree is too deep.
+fn halved(boxes: &[Corners]) -> (Vec<u32>, Vec<Node>) {
+    let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
+    let mut nodes = vec![Node::default()];
+    let mut open = vec![(0_usize, 0_usize, order.len())];
+    while let Some((index, start, end)) = open.pop() {
+        let part = &mut order[start..end];
+        let hull = part.iter().map(|i| boxes[*i as usize]).reduce(hull).unwrap_or_default();
+        let mut made = Node {
+            low: hull[0],
+            high: hull[1],
+            first: start as u32,
+            count: part.len() as u32,
+        };
+        if part.len() > LEAF_ISLANDS {
+            let axis = (0..3).max_by(|a, b| (hull[1][*a] - hull[0][*a]).total_cmp(&(hull[1][*b] - hull[0][*b])));
+            let axis = axis.unwrap_or_default();
+            let middle = part.len() / 2;
+            let centre = |i: &u32| boxes[*i as usize][0][axis] / 2.0 + boxes[*i as usize][1][axis] / 2.0;
+            part.select_nth_unstable_by(middle, |a, b| centre(a).total_cmp(&centre(b)));
+            made = Node {
+                first: nodes.len() as u32,
+                count: 0,
+                ..made
+            };
+            open.push((nodes.len(), start, start + middle));
+            open.push((nodes.len() + 1, start + middle, end));
+            nodes.extend([Node::default(); 2]);
+        }
+        nodes[index] = made;
+    }
+    (order, nodes)
+}
+
+fn hull(a: Corners, b: Corners) -> Corners {
+    let pick = |which: usize, best: fn(f32, f32) -> f32| std::array::from_fn(|i| best(a[which][i], b[which][i]));
+    [pick(0, f32::min), pick(1, f32::max)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Corners, LEAF_ISLANDS, MAX_DEPTH, Node, build, depth, halved};
+
+    fn grid(count: u32) -> Vec<Corners> {
+        let corner = |i: u32| [(i % 7) as f32, (i % 31) as f32, (i / 31) as f32];
+        (0..count).map(corner).map(|low| [low, low.map(|x| x + 0.5)]).collect()
+    }
+
+    fn check(boxes: &[Corners], (order, nodes): (Vec<u32>, Vec<Node>)) {
+        let mut sorted = order.clone();
+        sorted.sort_unstable();
+        assert_eq!(sorted, (0..boxes.len() as u32).collect::<Vec<_>>());
+        assert!(depth(&nodes) <= MAX_DEPTH);
+        let mut covered = 0;
+        for node in nodes.iter().filter(|node| node.count > 0) {
+            assert!(node.count as usize <= LEAF_ISLANDS || node.count < 256);
+            for index in &order[node.first as usize..(node.first + node.count) as usize] {
+                let [low, high] = boxes[*index as usize];
+                assert!((0..3).all(|i| node.low[i] <= low[i] && high[i] <= node.high[i]));
+                covered += 1;
+            }
+        }
+        assert_eq!(covered, boxes.len());
+    }
+
+    #[test]
+    fn both_builders_hold_every_island_once() {
+        for count in [9, 100, 5000] {
+            let boxes = grid(count);
+            check(&boxes, build(&boxes));
+            check(&boxes, halved(&boxes));
+        }
+    }
+
+    #[test]
+    fn islands_in_one_place_make_no_deep_tree() {
+        let boxes = vec![[[0.0; 3], [1.0; 3]]; 20_000];
+        check(&boxes, build(&boxes));
+        check(&boxes, halved(&boxes));
+    }
+}

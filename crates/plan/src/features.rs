@@ -1,0 +1,129 @@
+//! What a scene needs of a tracer: the one door through which anything is specialised.
+
+use crate::bvh::MAX_DEPTH;
+use crate::{Paint, Plan, ShapeKind};
+
+/// Which parts of a tracer a scene needs. What is off may be left out of the code without any change to the picture.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Features {
+    /// Some surface is a ball.
+    pub balls: bool,
+    /// Some surface is an ellipsoid.
+    pub ellipsoids: bool,
+    /// Some surface is a plane.
+    pub half_spaces: bool,
+    /// Some island is more than one leaf.
+    pub programs: bool,
+    /// There is a hierarchy.
+    pub hierarchy: bool,
+    /// There are lights, hence shadow rays.
+    pub lights: bool,
+    /// Some material shows highlights.
+    pub highlights: bool,
+    /// Some ray may be mirrored.
+    pub reflections: bool,
+    /// Some ray may go through a surface.
+    pub refractions: bool,
+    /// One hit may send out two rays, so that some must wait.
+    pub branching: bool,
+    /// Some ray may run inside the solid.
+    pub inside: bool,
+    /// Pixels have more than one sample.
+    pub supersampling: bool,
+    /// How many rays may wait, rounded up to a power of two; 1 where none does.
+    pub waiting: u32,
+    /// Room for the members of the largest island, rounded up to a power of two; 0 where they are computed anew instead.
+    pub members: u32,
+}
+
+/// More members than this would fill a device's registers and spill into slow memory.
+const MOST_MEMBERS: usize = 64;
+
+impl Features {
+    /// What this plan needs.
+    #[must_use]
+    pub fn of(plan: &Plan) -> Self {
+        let bounces = plan.view.raydepth > 0;
+        let any_shape = |kind| plan.shapes.iter().any(|shape| shape.kind == kind);
+        let any_paint = |test: fn(&Paint) -> bool| plan.materials.iter().any(test);
+        let refractions = bounces && any_paint(|paint| paint.refract != 0.0);
+        let branching = bounces && any_paint(|paint| paint.refract != 0.0 && paint.reflect != 0.0);
+        let largest = plan
+            .islands
+            .iter()
+            .map(|island| (island.members.1 - island.members.0) as usize)
+            .max()
+            .unwrap_or(0);
+        Self {
+            balls: any_shape(ShapeKind::Ball),
+            ellipsoids: any_shape(ShapeKind::Ellipsoid),
+            half_spaces: any_shape(ShapeKind::HalfSpace),
+            programs: plan
+                .islands
+                .iter()
+                .any(|island| island.program.1 - island.program.0 > 1),
+            hierarchy: !plan.nodes.is_empty(),
+            lights: !plan.lights.is_empty(),
+            highlights: !plan.lights.is_empty() && any_paint(|paint| paint.specular != 0.0),
+            // Total reflection mirrors too.
+            reflections: bounces && any_paint(|paint| paint.reflect != 0.0 || paint.refract != 0.0),
+            refractions,
+            branching,
+            inside: plan.inside || refractions,
+            supersampling: plan.view.samples.len() > 1,
+            waiting: if branching {
+                plan.view.raydepth.next_power_of_two()
+            } else {
+                1
+            },
+            members: if largest > 1 && largest <= MOST_MEMBERS {
+                largest.next_power_of_two() as u32
+            } else {
+                0
+            },
+        }
+    }
+
+    /// The tracer that serves every scene of this plan's ray depth.
+    #[must_use]
+    pub fn generic(plan: &Plan) -> Self {
+        Self {
+            balls: true,
+            ellipsoids: true,
+            half_spaces: true,
+            programs: true,
+            hierarchy: true,
+            lights: true,
+            highlights: true,
+            reflections: true,
+            refractions: true,
+            branching: true,
+            inside: true,
+            supersampling: true,
+            waiting: plan.view.raydepth.max(1).next_power_of_two(),
+            members: 0,
+        }
+    }
+
+    /// Names and values for a kernel's source, and for people.
+    #[must_use]
+    pub fn list(&self) -> [(&'static str, u32); 15] {
+        [
+            ("BALLS", self.balls.into()),
+            ("ELLIPSOIDS", self.ellipsoids.into()),
+            ("HALF_SPACES", self.half_spaces.into()),
+            ("PROGRAMS", self.programs.into()),
+            ("HIERARCHY", self.hierarchy.into()),
+            ("LIGHTS", self.lights.into()),
+            ("HIGHLIGHTS", self.highlights.into()),
+            ("REFLECTIONS", self.reflections.into()),
+            ("REFRACTIONS", self.refractions.into()),
+            ("BRANCHING", self.branching.into()),
+            ("INSIDE", self.inside.into()),
+            ("SUPERSAMPLING", self.supersampling.into()),
+            ("WAITING", self.waiting),
+            ("MEMBERS", self.members),
+            ("HIERARCHY_DEPTH", MAX_DEPTH as u32),
+        ]
+    }
+}

@@ -1,0 +1,395 @@
+//! The plan as flat arrays of plain structs: what the tracers read, on this processor and on a device.
+//!
+//! Each struct is written once, below. The macro makes the Rust type and a description of it from which the kernels'
+//! side is generated, and refuses a struct that would hold padding in either precision.
+
+use crate::shapes::ShapeKind;
+use crate::{Plan, Real};
+
+/// What a field is made of.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum FieldKind {
+    /// The number that the tracer computes in: 4 or 8 bytes.
+    Real,
+    /// A single, whatever the tracer computes in.
+    Float,
+    /// 32 bits without a sign.
+    Uint,
+}
+
+impl FieldKind {
+    /// Bytes of one, given the bytes of the tracer's number.
+    #[must_use]
+    pub const fn bytes(self, real: usize) -> usize {
+        match self {
+            Self::Real => real,
+            Self::Float | Self::Uint => 4,
+        }
+    }
+}
+
+/// A field: `count` of one kind, one after another.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Field {
+    /// Its name on both sides.
+    pub name: &'static str,
+    /// What it is made of.
+    pub kind: FieldKind,
+    /// How many; `None` for a single one that is no array.
+    pub count: Option<usize>,
+}
+
+/// A struct as both sides see it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Layout {
+    /// Its name on both sides.
+    pub name: &'static str,
+    /// Its fields in order, without padding.
+    pub fields: &'static [Field],
+}
+
+impl Layout {
+    /// Bytes of the struct, given the bytes of the tracer's number.
+    #[must_use]
+    pub const fn bytes(&self, real: usize) -> usize {
+        let (mut sum, mut i) = (0, 0);
+        while i < self.fields.len() {
+            let field = &self.fields[i];
+            let count = match field.count {
+                Some(count) => count,
+                None => 1,
+            };
+            sum += field.kind.bytes(real) * count;
+            i += 1;
+        }
+        sum
+    }
+}
+
+/// How a field's type is described.
+trait Describe {
+    const KIND: FieldKind;
+    const COUNT: Option<usize> = None;
+}
+
+/// Stands for the tracer's number in a description.
+struct Number;
+
+impl Describe for Number {
+    const KIND: FieldKind = FieldKind::Real;
+}
+
+impl Describe for f32 {
+    const KIND: FieldKind = FieldKind::Float;
+}
+
+impl Describe for u32 {
+    const KIND: FieldKind = FieldKind::Uint;
+}
+
+impl<T: Describe, const N: usize> Describe for [T; N] {
+    const KIND: FieldKind = T::KIND;
+    const COUNT: Option<usize> = Some(N);
+}
+
+macro_rules! packed {
+    ($($(#[$doc:meta])+ $name:ident $(<$real:ident>)? {
+        $($(#[$field_doc:meta])+ $field:ident: $type:ty,)+
+    })+) => {
+        /// The structs that the tracers share.
+        pub mod packed_structs {
+            $(
+                $(#[$doc])+
+                #[derive(Clone, Copy, PartialEq, Debug, Default)]
+                #[repr(C)]
+                pub struct $name $(<$real>)? {
+                    $($(#[$field_doc])+ pub $field: $type,)+
+                }
+            )+
+        }
+
+        /// Every shared struct, in the order in which they are declared.
+        pub const LAYOUTS: &[Layout] = &[$({
+            $(type $real = Number;)?
+            Layout {
+                name: stringify!($name),
+                fields: &[$(Field {
+                    name: stringify!($field),
+                    kind: <$type as Describe>::KIND,
+                    count: <$type as Describe>::COUNT,
+                },)+],
+            }
+        },)+];
+
+        // A size beyond the sum of the fields would be padding, which the two sides might place differently.
+        const _: () = {
+            let mut i = 0;
+            $(
+                {
+                    $(type $real = f32;)?
+                    assert!(size_of::<packed_structs::$name $(<$real>)?>() == LAYOUTS[i].bytes(4));
+                }
+                {
+                    $(type $real = f64;)?
+                    assert!(size_of::<packed_structs::$name $(<$real>)?>() == LAYOUTS[i].bytes(8));
+                }
+                i += 1;
+            )+
+            assert!(i == LAYOUTS.len());
+        };
+    };
+}
+
+packed! {
+    /// A surface.
+    Shape<R> {
+        /// The centre; of a half-space, the foot of the perpendicular from the origin.
+        centre: [R; 3],
+        /// World to object by rows; of a ball, the first is 1/radius; of a half-space, the first row is its normal.
+        inverse: [R; 9],
+        /// Object to world by rows; of a ball, the first is the radius.
+        linear: [R; 9],
+        /// 0 a ball, 1 an ellipsoid, 2 a half-space.
+        kind: u32,
+        /// Equal for equal surfaces.
+        class: u32,
+    }
+    /// A surface and its material.
+    Leaf {
+        /// Which surface.
+        shape: u32,
+        /// Which material.
+        material: u32,
+        /// The number that the leaf layer shows.
+        solid: u32,
+    }
+    /// An operand of the root's unions.
+    Island {
+        /// First instruction.
+        program: u32,
+        /// One past the last instruction.
+        program_end: u32,
+        /// First member.
+        members: u32,
+        /// One past the last member.
+        members_end: u32,
+    }
+    /// A node of the hierarchy: `count` islands from `first`, or two nodes, `first` and the next.
+    Node {
+        /// Lower corner.
+        low: [f32; 3],
+        /// Upper corner.
+        high: [f32; 3],
+        /// First island or first child.
+        first: u32,
+        /// How many islands; 0 for an inner node.
+        count: u32,
+    }
+    /// What a surface is made of.
+    Material<R> {
+        /// ka.
+        ambient: R,
+        /// kd.
+        diffuse: R,
+        /// ks.
+        specular: R,
+        /// kr.
+        reflect: R,
+        /// kt.
+        refract: R,
+        /// n.
+        index: R,
+        /// s.
+        shiny: R,
+        /// C.
+        colour: [R; 3],
+    }
+    /// A point light.
+    Light<R> {
+        /// Where it stands.
+        position: [R; 3],
+        /// Its colour.
+        colour: [R; 3],
+    }
+    /// Everything there is one of.
+    Frame<R> {
+        /// Where the camera stands.
+        eye: [R; 3],
+        /// Unit view direction.
+        forward: [R; 3],
+        /// To the right edge.
+        right: [R; 3],
+        /// To the upper edge.
+        up: [R; 3],
+        /// Ambient light on every surface.
+        ambient: [R; 3],
+        /// Background straight below.
+        nadir: [R; 3],
+        /// Background straight above.
+        zenith: [R; 3],
+        /// A branch that can add less is dropped.
+        cutoff: R,
+        /// Columns of the whole picture.
+        width: u32,
+        /// Rows of the whole picture.
+        height: u32,
+        /// First column of the window.
+        window_x: u32,
+        /// First row of the window.
+        window_y: u32,
+        /// Columns of the window.
+        window_width: u32,
+        /// Rows of the window.
+        window_height: u32,
+        /// Sample points per pixel.
+        samples: u32,
+        /// The most bounces of a path.
+        raydepth: u32,
+        /// The most rays of a pixel.
+        ray_budget: u32,
+        /// Islands.
+        islands: u32,
+        /// Islands outside the hierarchy.
+        linear: u32,
+        /// Lights.
+        lights: u32,
+        /// 1 if the eye stands inside the solid.
+        inside: u32,
+        /// Nodes of the hierarchy.
+        nodes: u32,
+    }
+}
+
+use packed_structs::{Frame, Island, Leaf, Light, Material, Node, Shape};
+
+/// The plan in one precision.
+#[derive(Clone, Debug)]
+pub struct Packed<R> {
+    /// Everything there is one of; the window is the whole picture and nothing is cut off until a tracer says so.
+    pub frame: Frame<R>,
+    /// Surfaces.
+    pub shapes: Vec<Shape<R>>,
+    /// Leaves.
+    pub leaves: Vec<Leaf>,
+    /// Islands.
+    pub islands: Vec<Island>,
+    /// Instructions of all islands.
+    pub program: Vec<u32>,
+    /// Members of all islands.
+    pub members: Vec<u32>,
+    /// The hierarchy.
+    pub nodes: Vec<Node>,
+    /// Materials.
+    pub materials: Vec<Material<R>>,
+    /// Lights.
+    pub lights: Vec<Light<R>>,
+    /// Sample points, measured from the pixel's centre.
+    pub samples: Vec<[R; 2]>,
+    /// Entry j bounds what a ray with j bounces left brings back.
+    pub reach: Vec<R>,
+}
+
+impl Plan {
+    /// The plan's numbers rounded once to the precision of a tracer.
+    #[must_use]
+    pub fn packed<R: Real>(&self) -> Packed<R> {
+        let uint = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
+        Packed {
+            frame: self.packed_frame(),
+            shapes: self.shapes.iter().map(packed_shape).collect(),
+            leaves: self
+                .leaves
+                .iter()
+                .map(|&crate::Leaf { shape, material, solid }| Leaf { shape, material, solid })
+                .collect(),
+            islands: self
+                .islands
+                .iter()
+                .map(|island| Island {
+                    program: island.program.0,
+                    program_end: island.program.1,
+                    members: island.members.0,
+                    members_end: island.members.1,
+                })
+                .collect(),
+            program: self.program.iter().map(|instruction| instruction.0).collect(),
+            members: self.members.clone(),
+            nodes: self.nodes.clone(),
+            materials: self
+                .materials
+                .iter()
+                .map(|paint| Material {
+                    ambient: R::of(paint.ambient),
+                    diffuse: R::of(paint.diffuse),
+                    specular: R::of(paint.specular),
+                    reflect: R::of(paint.reflect),
+                    refract: R::of(paint.refract),
+                    index: R::of(paint.index),
+                    shiny: R::of(paint.shiny),
+                    colour: vector(paint.colour.to_array()),
+                })
+                .collect(),
+            lights: self
+                .lights
+                .iter()
+                .map(|lamp| Light {
+                    position: vector(lamp.position.to_array()),
+                    colour: vector(lamp.colour.to_array()),
+                })
+                .collect(),
+            samples: self.view.samples.iter().map(|point| point.map(R::of)).collect(),
+            reach: self.reach.iter().map(|bound| R::of(*bound)).collect(),
+        }
+        .counted(uint)
+    }
+
+    fn packed_frame<R: Real>(&self) -> Frame<R> {
+        let view = &self.view;
+        Frame {
+            eye: vector(view.eye.to_array()),
+            forward: vector(view.forward.to_array()),
+            right: vector(view.right.to_array()),
+            up: vector(view.up.to_array()),
+            ambient: vector(view.ambient.to_array()),
+            nadir: vector(view.nadir.to_array()),
+            zenith: vector(view.zenith.to_array()),
+            width: view.width,
+            height: view.height,
+            window_width: view.width,
+            window_height: view.height,
+            raydepth: view.raydepth,
+            ray_budget: u32::MAX,
+            linear: u32::try_from(self.linear).unwrap_or(u32::MAX),
+            inside: u32::from(self.inside),
+            ..Frame::default()
+        }
+    }
+}
+
+impl<R> Packed<R> {
+    fn counted(mut self, uint: impl Fn(usize) -> u32) -> Self {
+        self.frame.samples = uint(self.samples.len());
+        self.frame.islands = uint(self.islands.len());
+        self.frame.lights = uint(self.lights.len());
+        self.frame.nodes = uint(self.nodes.len());
+        self
+    }
+}
+
+fn packed_shape<R: Real>(shape: &crate::Shape) -> Shape<R> {
+    Shape {
+        centre: vector(shape.centre.to_array()),
+        inverse: vector(shape.inverse.transpose().to_cols_array()),
+        linear: vector(shape.linear.transpose().to_cols_array()),
+        kind: match shape.kind {
+            ShapeKind::Ball => 0,
+            ShapeKind::Ellipsoid => 1,
+            ShapeKind::HalfSpace => 2,
+        },
+        class: shape.class,
+    }
+}
+
+fn vector<R: Real, const N: usize>(values: [f64; N]) -> [R; N] {
+    values.map(R::of)
+}

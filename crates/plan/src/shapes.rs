@@ -1,0 +1,334 @@
+//! The distinct surfaces of a scene.
+//!
+//! Copies of a ball that differ in their rotation, and half-spaces whose planes coincide, are found and get the very same
+//! numbers. A tracer then computes the very same distances for them, so that coincident surfaces cancel exactly and a ray
+//! that starts on one of them starts on all.
+
+use std::collections::HashMap;
+
+use scenec_scene::{Base, DMat3, DVec3, Leaf};
+
+/// What a surface is.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum ShapeKind {
+    /// A sphere that stayed one.
+    Ball,
+    /// Any other image of the unit sphere.
+    Ellipsoid,
+    /// A half-space.
+    HalfSpace,
+}
+
+/// A surface in numbers.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Shape {
+    /// What it is.
+    pub kind: ShapeKind,
+    /// Equal for shapes with the same surface; a half-space and its complement share theirs.
+    pub class: u32,
+    /// The centre; of a half-space, the foot of the perpendicular from the plan's origin.
+    pub centre: DVec3,
+    /// World to object, without the translation. Of a ball, 1/radius times the identity; of a half-space, only the first
+    /// row counts: the outward unit normal.
+    pub inverse: DMat3,
+    /// Object to world, without the translation; unused for a half-space.
+    pub linear: DMat3,
+}
+
+impl Shape {
+    /// Whether the solid behind the surface holds a point in the shape's own coordinates; the surface counts as inside.
+    #[must_use]
+    pub fn holds(&self, point: DVec3) -> bool {
+        let local = point - self.centre;
+        match self.kind {
+            ShapeKind::HalfSpace => self.normal().dot(local) <= 0.0,
+            _ => (self.inverse * local).length_squared() <= 1.0,
+        }
+    }
+
+    /// The outward unit normal of a half-space.
+    #[must_use]
+    pub fn normal(&self) -> DVec3 {
+        self.inverse.row(0)
+    }
+
+    /// The shape after a translation by `-origin` and a scale.
+    #[must_use]
+    pub(crate) fn relative(&self, origin: DVec3, scale: f64) -> Self {
+        let centre = (self.centre - origin) * scale;
+        match self.kind {
+            ShapeKind::HalfSpace => {
+                let normal = self.normal();
+                Self {
+                    centre: normal * normal.dot(centre),
+                    ..*self
+                }
+            }
+            _ => Self {
+                centre,
+                inverse: self.inverse * (1.0 / scale),
+                linear: self.linear * scale,
+                ..*self
+            },
+        }
+    }
+}
+
+/// Finds equal surfaces while leaves are gathered.
+#[derive(Default)]
+pub(crate) struct Shapes {
+    /// The distinct shapes, world units.
+    pub(crate) list: Vec<Shape>,
+    by_key: HashMap<Key, u32>,
+    classes: u32,
+}
+
+/// A shape rounded to a grid of about 2^-40 of its own size: coarse enough for copies that were computed in another
+/// order, whose numbers differ by a few 2^-53, and far finer than single precision can tell apart.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+struct Key {
+    kind: ShapeKind,
+    turned: bool,
+    numbers: [i64; 10],
+}
+
+impl Shapes {
+    /// The number of the leaf's shape.
+    pub(crate) fn intern(&mut self, leaf: &Leaf) -> u32 {
+        let shape = canonical(leaf);
+        let key = key(&shape);
+        if let Some(known) = self.by_key.get(&key) {
+            return *known;
+        }
+        let twin = Key {
+            turned: !key.turned,
+            ..key
+        };
+        let shape = match self.by_key.get(&twin).map(|twin| self.list[*twin as usize]) {
+            Some(twin) if shape.kind == ShapeKind::HalfSpace => Shape {
+                inverse: twin.inverse * -1.0,
+                ..twin
+            },
+            _ => {
+                self.classes += 1;
+                Shape {
+                    class: self.classes - 1,
+                    ..shape
+                }
+            }
+        };
+        let number = self.list.len() as u32;
+        self.list.push(shape);
+        self.by_key.insert(key, number);
+        number
+    }
+}
+
+fn canonical(leaf: &Leaf) -> Shape {
+    let transform = &leaf.transform;
+    let shape = Shape {
+        kind: ShapeKind::Ellipsoid,
+        class: 0,
+        centre: transform.centre,
+        inverse: transform.inverse,
+        linear: transform.linear,
+    };
+    match leaf.base {
+        Base::HalfSpace => {
+            let normal = unit(transform.inverse.row(1));
+            let inverse = DMat3::from_cols(normal, DVec3::ZERO, DVec3::ZERO).transpose();
+            Shape {
+                kind: ShapeKind::HalfSpace,
+                inverse,
+                linear: DMat3::ZERO,
+                ..shape
+            }
+        }
+        Base::Sphere => match radius(&transform.linear) {
+            Some(radius) => Shape {
+                kind: ShapeKind::Ball,
+                inverse: DMat3::from_diagonal(DVec3::splat(1.0 / radius)),
+                linear: DMat3::from_diagonal(DVec3::splat(radius)),
+                ..shape
+            },
+            None => shape,
+        },
+    }
+}
+
+/// The radius of the unit ball's image, if that is a ball to within 2^-40.
+fn radius(linear: &DMat3) -> Option<f64> {
+    let largest = linear
+        .to_cols_array()
+        .into_iter()
+        .fold(0.0_f64, |most, x| most.max(x.abs()));
+    // Scaled, so that the products neither overflow nor vanish.
+    let l = *linear * (1.0 / largest);
+    let gram = l * l.transpose();
+    let square = (gram.x_axis.x + gram.y_axis.y + gram.z_axis.z) / 3.0;
+    let rest = gram - DMat3::from_diagonal(DVec3::splat(square));
+    let tolerance = square * (-40.0_f64).exp2();
+    let round = rest.to_cols_array().into_iter().all(|x| x.abs() <= tolerance);
+    // A plain scale keeps its radius to the last bit.
+    let plain = linear.x_axis.x.abs();
+    let exact = *linear == DMat3::from_diagonal(linear.diagonal()) && linear.diagonal().abs() == DVec3::splat(plain);
+    round.then(|| if exact { plain } else { square.sqrt() * largest })
+}
+
+fn key(shape: &Shape) -> Key {
+    let (turned, numbers) = match shape.kind {
+        ShapeKind::HalfSpace => {
+            let normal = shape.normal();
+            let turned = normal
+                .to_array()
+                .into_iter()
+                .find(|x| x.abs() > 0.5)
+                .is_some_and(|x| x < 0.0);
+            let normal = if turned { -normal } else { normal };
+            let distance = normal.dot(shape.centre);
+            let [x, y, z] = normal.to_array();
+            // The distance has a grid of its own; which one is part of the key.
+            let size = grid(distance);
+            (
+                turned,
+                [
+                    step(x, 1.0),
+                    step(y, 1.0),
+                    step(z, 1.0),
+                    step(distance, size),
+                    size.log2() as i64,
+                    0,
+                    0,
+                    0,
+                    0,
+                    0,
+                ],
+            )
+        }
+        ShapeKind::Ball => {
+            let radius = shape.linear.x_axis.x;
+            let size = grid(shape.centre.abs().max_element() + radius);
+            let [x, y, z] = shape.centre.to_array().map(|x| step(x, size));
+            (false, [x, y, z, step(radius, size), size.log2() as i64, 0, 0, 0, 0, 0])
+        }
+        ShapeKind::Ellipsoid => {
+            let largest = shape
+                .linear
+                .to_cols_array()
+                .into_iter()
+                .fold(0.0_f64, |most, x| most.max(x.abs()));
+            let size = grid(shape.centre.abs().max_element() + largest);
+            let [x, y, z] = shape.centre.to_array().map(|x| step(x, size));
+            let l = shape.linear * (1.0 / largest);
+            let gram = l * l.transpose();
+            let [a, b, c] = gram.x_axis.to_array().map(|x| step(x, 1.0));
+            let [_, d, e] = gram.y_axis.to_array().map(|x| step(x, 1.0));
+            (
+                false,
+                [
+                    x,
+                    y,
+                    z,
+                    step(largest, grid(largest)),
+                    a,
+                    b,
+                    c,
+                    d,
+                    e,
+                    step(gram.z_axis.z, 1.0),
+                ],
+            )
+        }
+    };
+    Key {
+        kind: shape.kind,
+        turned,
+        numbers,
+    }
+}
+
+/// A power of two near `size`. The bounds between two of them lie at odd multiples of the root of 2, where no number that
+/// a person writes lies.
+fn grid(size: f64) -> f64 {
+    if size == 0.0 {
+        1.0
+    } else {
+        (size.abs() * std::f64::consts::SQRT_2).log2().floor().exp2()
+    }
+}
+
+fn step(value: f64, size: f64) -> i64 {
+    // At most about 2^42 in size, so the cast is exact.
+    (value / size * 40.0_f64.exp2()).round() as i64
+}
+
+fn unit(v: DVec3) -> DVec3 {
+    (v / v.abs().max_element()).normalize()
+}
+
+#[cfg(test)]
+mod tests {
+    use scenec_scene::{Axis, Base, DVec3, Leaf, MaterialId, Transform};
+
+    use super::{Shape, ShapeKind, Shapes};
+
+    fn intern(leaves: &[(Base, Transform)]) -> Vec<Shape> {
+        let mut shapes = Shapes::default();
+        let numbers: Vec<_> = leaves
+            .iter()
+            .map(|(base, transform)| {
+                let (base, transform) = (*base, *transform);
+                shapes.intern(&Leaf {
+                    base,
+                    transform,
+                    steps: None,
+                    material: MaterialId::DEFAULT,
+                })
+            })
+            .collect();
+        numbers.iter().map(|number| shapes.list[*number as usize]).collect()
+    }
+
+    #[test]
+    fn a_rotated_ball_is_the_same_ball() {
+        let place = DVec3::new(0.1, 0.2, -0.7);
+        let ball = Transform::IDENTITY.scaled(DVec3::splat(1.3)).translated(place);
+        let turned = Transform::IDENTITY
+            .rotated(Axis::X, 0.3)
+            .scaled(DVec3::splat(-1.3))
+            .rotated(Axis::Z, 2.0)
+            .translated(place);
+        let shapes = intern(&[(Base::Sphere, ball), (Base::Sphere, turned)]);
+        assert_eq!(shapes[0].kind, ShapeKind::Ball);
+        assert_eq!(shapes[0], shapes[1]);
+    }
+
+    #[test]
+    fn a_half_space_and_its_complement_share_a_class() {
+        let slanted = Transform::IDENTITY
+            .rotated(Axis::X, 0.4)
+            .translated(DVec3::new(0.0, 1.0, 0.3));
+        let turned = Transform::IDENTITY
+            .rotated(Axis::X, 0.4 + std::f64::consts::PI)
+            .translated(DVec3::new(5.0, 1.0, 0.3));
+        let shapes = intern(&[(Base::HalfSpace, slanted), (Base::HalfSpace, turned)]);
+        assert_eq!(shapes[0].class, shapes[1].class);
+        assert_eq!(shapes[0].normal(), -shapes[1].normal());
+    }
+
+    #[test]
+    fn different_surfaces_stay_apart() {
+        let id = Transform::IDENTITY;
+        let shapes = intern(&[
+            (Base::Sphere, id),
+            (Base::Sphere, id.translated(DVec3::X * 1e-7)),
+            (Base::Sphere, id.scaled(DVec3::new(1.0, 1.0, 1.0 + 1e-7))),
+            (Base::HalfSpace, id),
+            (Base::HalfSpace, id.translated(DVec3::Y * 1e-9)),
+        ]);
+        let mut classes: Vec<_> = shapes.iter().map(|shape| shape.class).collect();
+        classes.dedup();
+        assert_eq!(classes.len(), 5, "{classes:?}");
+        assert_eq!(shapes[2].kind, ShapeKind::Ellipsoid);
+    }
+}
