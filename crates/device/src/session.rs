@@ -1,0 +1,345 @@
+//! One device at work: programs, buffers and runs, each call complete when it returns.
+//!
+//! This knows bytes and kernels by name, and nothing of what they compute.
+
+use crate::calls::{self, Plain};
+use crate::discover::{DeviceInfo, discover};
+use crate::error::{DeviceError, guarded, line};
+use ocl::core::{self, ArgVal, CommandQueue, CommandQueueProperties, Context, DeviceId, Event, Kernel, Mem};
+use ocl::core::{KernelInfo, KernelInfoResult, KernelWorkGroupInfo, KernelWorkGroupInfoResult, ProfilingInfo};
+use ocl::core::{ProgramBuildInfo, ProgramBuildInfoResult, ProgramBuildStatus};
+use std::ffi::CString;
+use std::marker::PhantomData;
+use std::time::Instant;
+
+/// The sides of a work-group. Always the same: a size left to the driver, or one that follows the picture, makes
+/// PoCL compile anew for each width.
+const GROUP: [usize; 2] = [16, 16];
+
+/// An open device, with a queue that takes one command after another.
+#[derive(Debug)]
+pub struct Session {
+    info: DeviceInfo,
+    device: DeviceId,
+    queue: CommandQueue,
+    context: Context,
+}
+
+/// Kernels that have been built for the device of one session.
+#[derive(Debug)]
+pub struct Program(core::Program);
+
+/// Elements of one type in the memory of a device.
+#[derive(Debug)]
+pub struct Buffer<T> {
+    memory: Mem,
+    len: usize,
+    element: PhantomData<T>,
+}
+
+/// One argument of a kernel: made with `into()` from a reference to a [`Buffer`], a `u32` or a `u64`.
+#[derive(Clone, Copy, Debug)]
+pub struct Arg<'a>(Value<'a>);
+
+#[derive(Clone, Copy, Debug)]
+enum Value<'a> {
+    Memory(&'a Mem),
+    Narrow(u32),
+    Wide(u64),
+}
+
+impl Session {
+    /// Opens a device of [`discover`].
+    ///
+    /// # Errors
+    ///
+    /// The device is not of this machine, or its driver refuses.
+    pub fn open(info: &DeviceInfo) -> Result<Self, DeviceError> {
+        guarded(|| {
+            let device = discover().handle(info)?;
+            let context = core::create_context(None, &[device], None, None)
+                .map_err(|error| DeviceError::of_call(&format!("open {}", info.name), &error))?;
+            let queue = core::create_command_queue(&context, device, Some(CommandQueueProperties::PROFILING_ENABLE))
+                .map_err(|error| DeviceError::of_call(&format!("open a queue of {}", info.name), &error))?;
+            Ok(Self {
+                info: info.clone(),
+                device,
+                queue,
+                context,
+            })
+        })
+    }
+
+    /// The device this session is of.
+    pub fn device(&self) -> &DeviceInfo {
+        &self.info
+    }
+
+    /// Compiles kernels. Drivers that cache do so by `source` and `options` together, so values that change from
+    /// scene to scene belong in neither.
+    ///
+    /// # Errors
+    ///
+    /// The source doesn't compile, or an option is unknown; [`DeviceError::log`] is what the compiler said.
+    pub fn build(&self, source: &str, options: &str) -> Result<Program, DeviceError> {
+        guarded(|| {
+            let source = c_string(source, "the kernels")?;
+            let options = c_string(options, "the build options")?;
+            let program = core::create_program_with_source(&self.context, &[source])
+                .map_err(|error| DeviceError::of_call("create a program", &error))?;
+            let built = core::build_program(&program, Some(&[self.device]), &options, None, None);
+            // The bindings take a failure that left no log for a success.
+            let status = core::get_program_build_info(&program, self.device, ProgramBuildInfo::BuildStatus);
+            match (built, status) {
+                (Ok(()), Ok(ProgramBuildInfoResult::BuildStatus(ProgramBuildStatus::Success))) => Ok(Program(program)),
+                (built, _) => Err(self.build_error(&program, built.err().as_ref(), &options)),
+            }
+        })
+    }
+
+    /// Copies elements to the device, for kernels to read. Of an empty slice, one element of zeros is copied:
+    /// there are no empty buffers in OpenCL.
+    ///
+    /// # Errors
+    ///
+    /// The elements are more than the device can hold in one buffer.
+    pub fn upload<T: Plain>(&self, items: &[T]) -> Result<Buffer<T>, DeviceError> {
+        let bytes = calls::bytes(items);
+        self.check_size(bytes.len())?;
+        let memory = guarded(|| match bytes {
+            [] => calls::create_filled(&self.context, &vec![0; size_of::<T>().max(1)]),
+            bytes => calls::create_filled(&self.context, bytes),
+        })?;
+        Ok(Buffer {
+            memory,
+            len: items.len(),
+            element: PhantomData,
+        })
+    }
+
+    /// Makes a buffer of `len` zeroed elements, for kernels to read and write. There is always room for one.
+    ///
+    /// # Errors
+    ///
+    /// The elements are more than the device can hold in one buffer.
+    pub fn zeros<T: Plain>(&self, len: usize) -> Result<Buffer<T>, DeviceError> {
+        let bytes = len.max(1).saturating_mul(size_of::<T>().max(1));
+        self.check_size(bytes)?;
+        let memory = guarded(|| calls::create_zeroed(&self.context, &self.queue, bytes))?;
+        Ok(Buffer {
+            memory,
+            len,
+            element: PhantomData,
+        })
+    }
+
+    /// Copies elements back, from element `start` on, as many as `into` has.
+    ///
+    /// # Errors
+    ///
+    /// The buffer has fewer, or the driver fails.
+    pub fn read<T: Plain>(&self, buffer: &Buffer<T>, start: usize, into: &mut [T]) -> Result<(), DeviceError> {
+        if into.is_empty() {
+            return Ok(());
+        }
+        if start.checked_add(into.len()).is_none_or(|end| end > buffer.len) {
+            let (wanted, len) = (into.len(), buffer.len);
+            return Err(DeviceError::new(format!(
+                "a buffer of {len} elements has no {wanted} from {start} on"
+            )));
+        }
+        guarded(|| {
+            calls::read(
+                &self.queue,
+                &buffer.memory,
+                start * size_of::<T>(),
+                calls::bytes_mut(into),
+            )
+        })
+    }
+
+    /// Runs a kernel over at least `size` work-items across and down, and waits for it. Returns the time it took
+    /// on the device in nanoseconds.
+    ///
+    /// Work-groups are 16 by 16 (smaller only where the device can't), so there are up to 15 work-items too many
+    /// each way, which the kernel must leave idle.
+    ///
+    /// # Errors
+    ///
+    /// There is no such kernel, its arguments are others, or the driver fails.
+    pub fn run(&self, program: &Program, name: &str, args: &[Arg<'_>], size: [u32; 2]) -> Result<u64, DeviceError> {
+        if size.contains(&0) {
+            return Ok(0);
+        }
+        guarded(|| {
+            let task = format!("prepare the kernel {name}");
+            let fault = |error: core::Error| DeviceError::of_call(&task, &error);
+            let kernel = core::create_kernel(&program.0, name).map_err(fault)?;
+            if let Ok(KernelInfoResult::NumArgs(expected)) = core::get_kernel_info(&kernel, KernelInfo::NumArgs)
+                && expected as usize != args.len()
+            {
+                let given = args.len();
+                return Err(DeviceError::new(format!(
+                    "the kernel {name} takes {expected} arguments, not {given}"
+                )));
+            }
+            for (index, arg) in (0u32..).zip(args) {
+                set(&kernel, index, arg).map_err(fault)?;
+            }
+            let local = group(self.group_limit(&kernel));
+            let global = [
+                round_up(size[0] as usize, local[0]),
+                round_up(size[1] as usize, local[1]),
+            ];
+            let start = Instant::now();
+            let event = calls::launch(&self.queue, &kernel, global, local)?;
+            // A driver without timings still has a clock beside it.
+            Ok(nanoseconds(&event).unwrap_or_else(|| start.elapsed().as_nanos().try_into().unwrap_or(u64::MAX)))
+        })
+    }
+
+    fn build_error(&self, program: &core::Program, error: Option<&core::Error>, options: &CString) -> DeviceError {
+        let asked = core::get_program_build_info(program, self.device, ProgramBuildInfo::BuildLog);
+        let log = match asked {
+            Ok(ProgramBuildInfoResult::BuildLog(log)) => log,
+            _ => String::new(),
+        };
+        let device = &self.info.name;
+        if let Some(cause) = first_error(&log) {
+            return DeviceError::new(format!("the kernels don't compile for {device}: {cause}")).with_log(&log);
+        }
+        let task = format!(
+            "compile the kernels for {device} with the options \"{}\"",
+            options.to_string_lossy()
+        );
+        match error {
+            Some(error @ core::Error::Api(_)) => DeviceError::of_call(&task, error).with_log(&log),
+            _ => DeviceError::new(format!("couldn't {task}: the compiler gives no reason"))
+                .with_help("PoCL needs a cache folder that it can write to: set POCL_CACHE_DIR to one"),
+        }
+    }
+
+    fn check_size(&self, bytes: usize) -> Result<(), DeviceError> {
+        let most = self.info.max_allocation;
+        if most == 0 || bytes as u64 <= most {
+            return Ok(());
+        }
+        let name = &self.info.name;
+        Err(DeviceError::new(format!(
+            "{name} holds at most {most} bytes in one buffer, and {bytes} are needed"
+        ))
+        .with_help("try a smaller picture, a simpler scene or another device"))
+    }
+
+    /// The most work-items that one group of this kernel may have on this device.
+    fn group_limit(&self, kernel: &Kernel) -> usize {
+        match core::get_kernel_work_group_info(kernel, self.device, KernelWorkGroupInfo::WorkGroupSize) {
+            Ok(KernelWorkGroupInfoResult::WorkGroupSize(most)) => most.min(self.info.max_work_group),
+            _ => self.info.max_work_group,
+        }
+    }
+}
+
+impl<T> Buffer<T> {
+    /// The number of elements.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether there are no elements.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+}
+
+impl<'a, T> From<&'a Buffer<T>> for Arg<'a> {
+    fn from(buffer: &'a Buffer<T>) -> Self {
+        Self(Value::Memory(&buffer.memory))
+    }
+}
+
+impl From<u32> for Arg<'_> {
+    fn from(value: u32) -> Self {
+        Self(Value::Narrow(value))
+    }
+}
+
+impl From<u64> for Arg<'_> {
+    fn from(value: u64) -> Self {
+        Self(Value::Wide(value))
+    }
+}
+
+fn set(kernel: &Kernel, index: u32, arg: &Arg<'_>) -> core::Result<()> {
+    let value = match &arg.0 {
+        Value::Memory(memory) => ArgVal::mem(memory),
+        Value::Narrow(value) => ArgVal::scalar(value),
+        Value::Wide(value) => ArgVal::scalar(value),
+    };
+    core::set_kernel_arg(kernel, index, value)
+}
+
+fn c_string(text: &str, what: &str) -> Result<CString, DeviceError> {
+    CString::new(text).map_err(|_| DeviceError::new(format!("{what} contain a zero byte")))
+}
+
+/// The device time between the start and the end of a command.
+fn nanoseconds(event: &Event) -> Option<u64> {
+    let at = |what| core::get_event_profiling_info(event, what).ok()?.time().ok();
+    at(ProfilingInfo::End)?.checked_sub(at(ProfilingInfo::Start)?)
+}
+
+/// The line of a compiler's log that says most: the first that names an error, else the first with words.
+fn first_error(log: &str) -> Option<String> {
+    let lines = || log.lines().map(line).filter(|one| !one.is_empty());
+    lines().find(|one| one.contains("error")).or_else(|| lines().next())
+}
+
+/// The largest part of [`GROUP`] with no more than `most` work-items. The rows go first: devices that put
+/// neighbouring work-items into one vector take them from a row.
+fn group(most: usize) -> [usize; 2] {
+    let [mut across, mut down] = GROUP;
+    while across * down > most.max(1) {
+        if down > 1 { down /= 2 } else { across /= 2 }
+    }
+    [across, down]
+}
+
+fn round_up(size: usize, step: usize) -> usize {
+    size.div_ceil(step).saturating_mul(step)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(most: usize, expect: [usize; 2]) {
+        assert_eq!(group(most), expect, "{most}");
+    }
+
+    #[test]
+    fn groups_shrink_to_what_a_device_can_do() {
+        check(4096, [16, 16]);
+        check(256, [16, 16]);
+        check(255, [16, 8]);
+        check(16, [16, 1]);
+        check(15, [8, 1]);
+        check(1, [1, 1]);
+        check(0, [1, 1]);
+    }
+
+    #[test]
+    fn sizes_are_rounded_up_to_whole_groups() {
+        for (size, expect) in [(1, 16), (16, 16), (17, 32), (65535, 65536)] {
+            assert_eq!(round_up(size, 16), expect);
+        }
+    }
+
+    #[test]
+    fn the_telling_line_of_a_log_is_found() {
+        let log = "warning: x\n\n  k.cl:3:1: error: use of 'y'\n1 error generated\n";
+        assert_eq!(first_error(log).as_deref(), Some("k.cl:3:1: error: use of 'y'"));
+        assert_eq!(first_error("\n something \n").as_deref(), Some("something"));
+        assert_eq!(first_error(" \n\n"), None);
+    }
+}
