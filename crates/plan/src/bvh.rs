@@ -2,8 +2,11 @@
 
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
-use obvhs::bvh2::builder::build_bvh2;
+use obvhs::bvh2::Bvh2;
+use obvhs::bvh2::leaf_collapser::collapse;
 use obvhs::bvh2::node::Bvh2Node;
+use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
+use obvhs::ploc::PlocBuilder;
 
 use crate::Box3;
 use crate::flatten::Flat;
@@ -61,22 +64,38 @@ fn outward(bounds: &Box3) -> Corners {
 
 /// The order of the islands, and nodes whose leaves count from 0 in that order.
 fn build(boxes: &[Corners]) -> (Vec<u32>, Vec<Node>) {
+    let fine = clustered(boxes).map(|tree| {
+        let nodes: Vec<_> = tree.nodes.iter().map(node).collect();
+        (tree.primitive_indices, nodes)
+    });
+    match fine {
+        Some((order, nodes)) if order.len() == boxes.len() && depth(&nodes) <= MAX_DEPTH => (order, nodes),
+        _ => halved(boxes),
+    }
+}
+
+/// The library's tree; nothing where it is so deep (many islands in one place) that the library's own later steps, which
+/// recurse, would overflow the stack.
+fn clustered(boxes: &[Corners]) -> Option<Bvh2> {
     let aabbs: Vec<_> = boxes
         .iter()
         .map(|[low, high]| Aabb::new((*low).into(), (*high).into()))
         .collect();
-    let params = BvhBuildParams {
-        max_prims_per_leaf: LEAF_ISLANDS as u32,
-        ..BvhBuildParams::medium_build()
-    };
-    let tree = build_bvh2(&aabbs, params, &mut std::time::Duration::default());
-    let nodes: Vec<_> = tree.nodes.iter().map(node).collect();
-    let sound = tree.primitive_indices.len() == boxes.len() && !nodes.is_empty();
-    if sound && depth(&nodes) <= MAX_DEPTH {
-        (tree.primitive_indices, nodes)
-    } else {
-        halved(boxes)
+    let params = BvhBuildParams::medium_build();
+    let indices = (0..boxes.len() as u32).collect();
+    let mut tree = PlocBuilder::with_capacity(boxes.len()).build(
+        params.ploc_search_distance,
+        &aabbs,
+        indices,
+        params.sort_precision,
+        params.search_depth_threshold,
+    );
+    if depth(&tree.nodes.iter().map(node).collect::<Vec<_>>()) > MAX_DEPTH {
+        return None;
     }
+    ReinsertionOptimizer::default().run(&mut tree, params.reinsertion_batch_ratio, None);
+    collapse(&mut tree, LEAF_ISLANDS as u32, params.collapse_traversal_cost);
+    Some(tree)
 }
 
 fn node(node: &Bvh2Node) -> Node {
