@@ -1,1 +1,17 @@
-//! placeholder
+//! Tokens and statements: how a scene is written.
+//!
+//! Owns the scanner, the parser and the table of statement forms. It must not know what a name stands for, which base
+//! objects exist, or what a material is.
+
+mod characters;
+mod forms;
+mod number;
+mod parse;
+mod quote;
+mod statement;
+mod token;
+
+pub use forms::{FORMS, Form, FormInfo, Space};
+pub use parse::parse;
+pub use quote::quote;
+pub use statement::{Axis, Broken, Content, Line, Operator, Sign, Statement, Value, ValueKind};

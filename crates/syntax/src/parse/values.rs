@@ -1,0 +1,86 @@
+//! The values at the end of a statement, and what to say when there are too few or too many.
+
+use scenec_text::{Code, Diagnostic};
+
+use super::line::{LineParser, Parsed, article, form_help};
+use crate::token::Token;
+use crate::{Form, Sign, Value, ValueKind};
+
+impl LineParser<'_> {
+    /// The N values of the form just recognised, and the end of the line.
+    pub(super) fn values<const N: usize>(&mut self) -> Parsed<Box<[Value; N]>> {
+        let form = self.form.unwrap_or(Form::Variable);
+        let mut found = Vec::with_capacity(N);
+        while self.cursor.peek().is_some() {
+            found.push(self.value(form)?);
+        }
+        Box::<[Value; N]>::try_from(found).map_err(|found| self.miscounted(form, &found).into())
+    }
+
+    fn value(&mut self, form: Form) -> Parsed<Value> {
+        let start = self.cursor.peek();
+        let sign = match start.map(|word| word.token) {
+            Some(Token::Plus) => Some(Sign::Plus),
+            Some(Token::Minus) => Some(Sign::Minus),
+            _ => None,
+        };
+        if sign.is_some() {
+            self.cursor.advance();
+        }
+        let kind = match self.cursor.peek() {
+            Some(word) if word.token == Token::Number => ValueKind::Number(word.number),
+            Some(word) if word.token == Token::Name && self.cursor.word(word.span) == "pi" => ValueKind::Pi,
+            Some(word) if word.token == Token::Name => ValueKind::Name(word.span),
+            _ => {
+                return Err(self.cursor.unexpected("a number, `pi` or a variable", form_help(form)));
+            }
+        };
+        self.cursor.advance();
+        let end = self.cursor.before();
+        Ok(Value {
+            sign,
+            kind,
+            span: start.map_or(end, |word| word.span.to(end)),
+        })
+    }
+
+    fn miscounted(&self, form: Form, found: &[Value]) -> Diagnostic {
+        let fields = form.info().fields;
+        let counts = format!(
+            "{} {} takes {} {}, found {}",
+            article(form.info().space),
+            noun(form),
+            fields.len(),
+            if fields.len() == 1 { "value" } else { "values" },
+            found.len()
+        );
+        if let Some(missing) = fields.get(found.len()..).filter(|missing| !missing.is_empty()) {
+            let missing = missing.join(" ");
+            let label = format!("missing after this: {missing}");
+            return Diagnostic::new(Code::TooFewValues, counts, self.cursor.before(), label).help(form_help(form));
+        }
+        let extra = found.get(fields.len()..).unwrap_or_default();
+        let span = match (extra.first(), extra.last()) {
+            (Some(first), Some(last)) => first.span.to(last.span),
+            _ => self.cursor.before(),
+        };
+        let mut help = form_help(form);
+        if extra.iter().any(|value| value.sign.is_some()) {
+            help.push_str("; there is no arithmetic: a sign begins the next value");
+        }
+        let last = fields.last().copied().unwrap_or_default();
+        Diagnostic::new(Code::TooManyValues, counts, span, format!("left over after {last}")).help(help)
+    }
+}
+
+const fn noun(form: Form) -> &'static str {
+    match form {
+        Form::Variable => "variable",
+        Form::Light => "light",
+        Form::Material => "material",
+        Form::Scale => "object's scale",
+        Form::Rotate => "object's rotation",
+        Form::Translate => "object's translation",
+        _ => "object",
+    }
+}

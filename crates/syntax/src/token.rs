@@ -1,0 +1,163 @@
+//! The scanner: bytes to tokens. A newline is a token, since it ends a statement; so is a comment, which the formatter
+//! keeps.
+
+use logos::Logos;
+use scenec_text::Span;
+
+/// A token of the language.
+///
+/// A number takes every letter, digit and point that touches it, so that a misspelt one is one token; and the sign is
+/// a token of its own, so that `a -b` subtracts and `1 -2` is two values.
+#[derive(Logos, Clone, Copy, PartialEq, Eq, Debug)]
+#[logos(skip(r"[\p{White_Space}--[\r\n]]+"))]
+pub(crate) enum Token {
+    #[regex(r"\r?\n")]
+    Newline,
+    #[regex(r"/[^\n]*", allow_greedy = true)]
+    Comment,
+    #[regex(r"[\p{XID_Start}_]\p{XID_Continue}*")]
+    Name,
+    #[regex(r"[0-9.]([eE][+-]|[.\p{XID_Continue}])*")]
+    Number,
+    #[token("!")]
+    Bang,
+    #[token("?")]
+    Question,
+    #[token("*")]
+    Star,
+    #[token(":=")]
+    Assign,
+    #[token("?=")]
+    SetMaterial,
+    #[token("*=")]
+    Scale,
+    #[token("+=")]
+    Translate,
+    #[token("<=")]
+    Submit,
+    #[token("#x=")]
+    RotateX,
+    #[token("#y=")]
+    RotateY,
+    #[token("#z=")]
+    RotateZ,
+    #[token("|")]
+    Or,
+    #[token("&")]
+    And,
+    #[token("-")]
+    Minus,
+    #[token("+")]
+    Plus,
+    /// A run of characters that are no token; made here, not by a pattern.
+    Bad,
+}
+
+/// A token in its place.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Word {
+    pub(crate) token: Token,
+    pub(crate) span: Span,
+    /// The value of a number; 0 for anything else.
+    pub(crate) number: f64,
+}
+
+/// Every token of a text, in order, each with its place; touching bad characters come as one.
+pub(crate) struct Scanner<'a> {
+    lexer: logos::Lexer<'a, Token>,
+    /// What was read beyond a run of bad characters.
+    ahead: Option<Word>,
+}
+
+impl<'a> Scanner<'a> {
+    pub(crate) fn new(text: &'a str) -> Self {
+        let mut lexer = Token::lexer(text);
+        if text.starts_with('\u{FEFF}') {
+            lexer.bump('\u{FEFF}'.len_utf8());
+        }
+        Self { lexer, ahead: None }
+    }
+
+    fn read(&mut self) -> Option<Word> {
+        let token = self.lexer.next()?.unwrap_or(Token::Bad);
+        let range = self.lexer.span();
+        let offset = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
+        Some(Word {
+            token,
+            span: Span::new(offset(range.start), offset(range.end)),
+            number: 0.0,
+        })
+    }
+}
+
+impl Iterator for Scanner<'_> {
+    type Item = Word;
+
+    fn next(&mut self) -> Option<Word> {
+        let mut word = match self.ahead.take() {
+            Some(word) => word,
+            None => self.read()?,
+        };
+        while word.token == Token::Bad {
+            match self.read() {
+                Some(more) if more.token == Token::Bad && more.span.start == word.span.end => {
+                    word.span.end = more.span.end;
+                }
+                other => {
+                    self.ahead = other;
+                    break;
+                }
+            }
+        }
+        Some(word)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Scanner, Token};
+
+    fn check(text: &str, expect: &[(Token, &str)]) {
+        let found: Vec<_> = Scanner::new(text)
+            .map(|word| (word.token, word.span.of(text)))
+            .collect();
+        assert_eq!(found, expect, "{text:?}");
+    }
+
+    #[test]
+    fn signs_stand_alone_and_numbers_take_what_touches_them() {
+        use Token::{Minus, Name, Number};
+        check("a -b", &[(Name, "a"), (Minus, "-"), (Name, "b")]);
+        check("1 -2", &[(Number, "1"), (Minus, "-"), (Number, "2")]);
+        check("1-2", &[(Number, "1"), (Minus, "-"), (Number, "2")]);
+        for number in [
+            "1.2.3", "2e", "3abc", "2e+", "1.5e-3", "2.", ".5", ".", "0xFF", "6.02e23",
+        ] {
+            check(number, &[(Number, number)]);
+        }
+    }
+
+    #[test]
+    fn operators_need_no_space() {
+        use Token::{Assign, Bang, Name, Question, RotateY, SetMaterial, Submit};
+        check(
+            "!s:=sphere",
+            &[(Bang, "!"), (Name, "s"), (Assign, ":="), (Name, "sphere")],
+        );
+        check("!é?=_m", &[(Bang, "!"), (Name, "é"), (SetMaterial, "?="), (Name, "_m")]);
+        check("!u<=", &[(Bang, "!"), (Name, "u"), (Submit, "<=")]);
+        check("?x#y=", &[(Question, "?"), (Name, "x"), (RotateY, "#y=")]);
+    }
+
+    #[test]
+    fn white_space_is_unicode_and_a_lone_carriage_return_is_none() {
+        use Token::{Bad, Comment, Name, Newline};
+        check(
+            "\u{FEFF}a\u{3000}\u{2028}\u{85}\u{B}b\r\n",
+            &[(Name, "a"), (Name, "b"), (Newline, "\r\n")],
+        );
+        check("a\rb", &[(Name, "a"), (Bad, "\r"), (Name, "b")]);
+        check("a/ b\r\n", &[(Name, "a"), (Comment, "/ b\r"), (Newline, "\n")]);
+        check("=\0\u{1b}; =", &[(Bad, "=\0\u{1b};"), (Bad, "=")]);
+    }
+}
