@@ -2,8 +2,22 @@
 //!
 //! It must not know scenes, plans or devices: a picture is numbers in rows.
 
+mod compare;
+mod encode;
+mod encode_error;
+mod formats;
+mod levels;
+mod load;
 mod picture;
+mod save;
 mod trace;
 
+pub use compare::{Figures, SizesDiffer, compare, compare_exact};
+pub use encode::{Encoding, encode};
+pub use encode_error::EncodeError;
+pub use formats::{Depth, Format};
+pub use levels::Transfer;
+pub use load::{LoadError, load, load_raw};
 pub use picture::{MAX_PIXELS, Picture, TooManyPixels};
+pub use save::{SaveError, save, write_whole};
 pub use trace::{Exact, Frame, Layers, Limits, NOTHING, Request, Stats, TraceError, Tracer, Watch, Window};

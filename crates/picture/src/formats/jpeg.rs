@@ -1,0 +1,30 @@
+//! JPEG: small, lossy. Both sides are 16-bit numbers in its header.
+
+use image::codecs::jpeg::JpegEncoder;
+use image::{ExtendedColorType, ImageEncoder, ImageFormat};
+
+use super::{Depth, Row, Sink};
+use crate::levels::bytes8;
+use crate::load::decode;
+use crate::{EncodeError, Encoding, Picture};
+
+pub(super) const ROW: Row = Row {
+    name: "jpeg",
+    extensions: &["jpg", "jpeg"],
+    depths: &[Depth::Eight],
+    lossless: false,
+    max_side: 65_535,
+    write,
+    read: |from| decode(from, ImageFormat::Jpeg),
+};
+
+fn write(picture: &Picture, encoding: &Encoding, out: &mut dyn Sink) -> Result<(), EncodeError> {
+    let bytes = bytes8(picture, encoding.transfer)?;
+    JpegEncoder::new_with_quality(out, encoding.quality).write_image(
+        &bytes,
+        picture.width(),
+        picture.height(),
+        ExtendedColorType::Rgb8,
+    )?;
+    Ok(())
+}
