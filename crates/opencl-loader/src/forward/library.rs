@@ -3,6 +3,7 @@
 use super::Pointer;
 use crate::LoaderStatus;
 use libloading::Library;
+use std::error::Error;
 use std::ffi::CStr;
 use std::mem::ManuallyDrop;
 use std::sync::OnceLock;
@@ -61,7 +62,7 @@ fn open() -> Opened {
                     library: Some(ManuallyDrop::new(library)),
                 };
             }
-            Err(error) => tried.push(reason(name, &error.to_string())),
+            Err(error) => tried.push(reason(name, &error)),
         }
     }
     Opened {
@@ -70,12 +71,13 @@ fn open() -> Opened {
     }
 }
 
-/// The name and the system's reason, which on Unix begins with the name already.
-fn reason(name: &str, error: &str) -> String {
-    if error.starts_with(name) {
-        error.to_owned()
+/// The name and the system's own words, which lie beneath the error's and begin with the name on some systems.
+fn reason(name: &str, error: &dyn Error) -> String {
+    let words = error.source().map_or_else(|| error.to_string(), ToString::to_string);
+    if words.starts_with(name) {
+        words
     } else {
-        format!("{name}: {error}")
+        format!("{name}: {words}")
     }
 }
 
@@ -112,22 +114,29 @@ fn address(library: &Library, name: &CStr) -> Option<Pointer> {
 #[cfg(test)]
 mod tests {
     use super::reason;
+    use std::io::Error;
 
-    fn check(name: &str, error: &str, expect: &str) {
-        assert_eq!(reason(name, error), expect);
+    fn check(name: &str, error: Error, expect: &str) {
+        assert_eq!(reason(name, &error), expect);
     }
 
     #[test]
     fn a_reason_names_the_library_once() {
         check(
             "libOpenCL.so.1",
-            "libOpenCL.so.1: cannot open",
+            Error::other("libOpenCL.so.1: cannot open"),
             "libOpenCL.so.1: cannot open",
         );
         check(
             "OpenCL.dll",
-            "the module was not found",
+            Error::other("the module was not found"),
             "OpenCL.dll: the module was not found",
         );
+    }
+
+    #[test]
+    fn the_systems_words_come_before_the_wrappers() {
+        let inner = Error::other("no such file");
+        check("a.so", Error::other(Error::other(inner)), "a.so: no such file");
     }
 }
