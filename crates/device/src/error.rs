@@ -15,8 +15,10 @@ const LINE_LIMIT: usize = 300;
 /// The longest message, which may hold several such texts.
 const MESSAGE_LIMIT: usize = 3000;
 
-const CACHE_HELP: &str = "PoCL needs a cache folder that it can write to: set POCL_CACHE_DIR to one";
-const MEMORY_HELP: &str = "try a smaller picture, a simpler scene or another device";
+/// What helps where PoCL finds no device or compiles nothing.
+pub(crate) const CACHE_HELP: &str = "PoCL needs a cache folder that it can write to: set POCL_CACHE_DIR to one";
+/// What helps where a device has too little memory.
+pub(crate) const MEMORY_HELP: &str = "try a smaller picture, a simpler scene or another device";
 const OTHER_HELP: &str = "try another device, or the built-in tracer with --device cpu";
 
 /// A failure of a device or of OpenCL as a whole.

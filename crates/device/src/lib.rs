@@ -2,14 +2,20 @@
 //!
 //! This crate alone talks to OpenCL. It knows plans and pictures, but no scene and no syntax.
 
+mod buffer;
 mod calls;
 mod discover;
 mod error;
+mod info;
+mod program;
 mod select;
 mod session;
 
+pub use buffer::{Arg, Buffer};
 pub use calls::Plain;
-pub use discover::{DeviceInfo, DeviceKind, Discovery, discover};
+pub use discover::{Discovery, discover};
 pub use error::{DeviceError, guarded};
+pub use info::{DeviceInfo, DeviceKind};
+pub use program::Program;
 pub use select::{gpu, is_opencl, select};
-pub use session::{Arg, Buffer, Program, Session};
+pub use session::Session;

@@ -6,8 +6,9 @@
 //! | `opencl:2` | the device of that index in the list |
 //! | `opencl:rtx` | the one device whose platform and name, in either case, contain the text |
 
-use crate::discover::{DeviceInfo, DeviceKind, Discovery};
+use crate::discover::Discovery;
 use crate::error::DeviceError;
+use crate::info::{DeviceInfo, DeviceKind};
 
 /// The kinds, from the most to the least wanted.
 const PREFERENCE: [DeviceKind; 4] = [

@@ -2,14 +2,14 @@
 //!
 //! This knows bytes and kernels by name, and nothing of what they compute.
 
+use crate::buffer::{Arg, Buffer};
 use crate::calls::{self, Plain};
-use crate::discover::{DeviceInfo, discover};
-use crate::error::{DeviceError, guarded, line};
-use ocl::core::{self, ArgVal, CommandQueue, CommandQueueProperties, Context, DeviceId, Event, Kernel, Mem};
+use crate::discover::discover;
+use crate::error::{DeviceError, MEMORY_HELP, guarded};
+use crate::info::DeviceInfo;
+use crate::program::{self, Program};
+use ocl::core::{self, CommandQueue, CommandQueueProperties, Context, DeviceId, Event, Kernel};
 use ocl::core::{KernelInfo, KernelInfoResult, KernelWorkGroupInfo, KernelWorkGroupInfoResult, ProfilingInfo};
-use ocl::core::{ProgramBuildInfo, ProgramBuildInfoResult, ProgramBuildStatus};
-use std::ffi::CString;
-use std::marker::PhantomData;
 use std::time::Instant;
 
 /// The sides of a work-group. Always the same: a size left to the driver, or one that follows the picture, makes
@@ -23,29 +23,6 @@ pub struct Session {
     device: DeviceId,
     queue: CommandQueue,
     context: Context,
-}
-
-/// Kernels that have been built for the device of one session.
-#[derive(Debug)]
-pub struct Program(core::Program);
-
-/// Elements of one type in the memory of a device.
-#[derive(Debug)]
-pub struct Buffer<T> {
-    memory: Mem,
-    len: usize,
-    element: PhantomData<T>,
-}
-
-/// One argument of a kernel: made with `into()` from a reference to a [`Buffer`], a `u32` or a `u64`.
-#[derive(Clone, Copy, Debug)]
-pub struct Arg<'a>(Value<'a>);
-
-#[derive(Clone, Copy, Debug)]
-enum Value<'a> {
-    Memory(&'a Mem),
-    Narrow(u32),
-    Wide(u64),
 }
 
 impl Session {
@@ -82,19 +59,7 @@ impl Session {
     ///
     /// The source doesn't compile, or an option is unknown; [`DeviceError::log`] is what the compiler said.
     pub fn build(&self, source: &str, options: &str) -> Result<Program, DeviceError> {
-        guarded(|| {
-            let source = c_string(source, "the kernels")?;
-            let options = c_string(options, "the build options")?;
-            let program = core::create_program_with_source(&self.context, &[source])
-                .map_err(|error| DeviceError::of_call("create a program", &error))?;
-            let built = core::build_program(&program, Some(&[self.device]), &options, None, None);
-            // The bindings take a failure that left no log for a success.
-            let status = core::get_program_build_info(&program, self.device, ProgramBuildInfo::BuildStatus);
-            match (built, status) {
-                (Ok(()), Ok(ProgramBuildInfoResult::BuildStatus(ProgramBuildStatus::Success))) => Ok(Program(program)),
-                (built, _) => Err(self.build_error(&program, built.err().as_ref(), &options)),
-            }
-        })
+        guarded(|| program::build(&self.context, self.device, &self.info.name, source, options))
     }
 
     /// Copies elements to the device, for kernels to read. Of an empty slice, one element of zeros is copied:
@@ -110,11 +75,7 @@ impl Session {
             [] => calls::create_filled(&self.context, &vec![0; size_of::<T>().max(1)]),
             bytes => calls::create_filled(&self.context, bytes),
         })?;
-        Ok(Buffer {
-            memory,
-            len: items.len(),
-            element: PhantomData,
-        })
+        Ok(Buffer::new(memory, items.len()))
     }
 
     /// Makes a buffer of `len` zeroed elements, for kernels to read and write. There is always room for one.
@@ -126,11 +87,7 @@ impl Session {
         let bytes = len.max(1).saturating_mul(size_of::<T>().max(1));
         self.check_size(bytes)?;
         let memory = guarded(|| calls::create_zeroed(&self.context, &self.queue, bytes))?;
-        Ok(Buffer {
-            memory,
-            len,
-            element: PhantomData,
-        })
+        Ok(Buffer::new(memory, len))
     }
 
     /// Copies elements back, from element `start` on, as many as `into` has.
@@ -142,8 +99,8 @@ impl Session {
         if into.is_empty() {
             return Ok(());
         }
-        if start.checked_add(into.len()).is_none_or(|end| end > buffer.len) {
-            let (wanted, len) = (into.len(), buffer.len);
+        if start.checked_add(into.len()).is_none_or(|end| end > buffer.len()) {
+            let (wanted, len) = (into.len(), buffer.len());
             return Err(DeviceError::new(format!(
                 "a buffer of {len} elements has no {wanted} from {start} on"
             )));
@@ -174,7 +131,7 @@ impl Session {
         guarded(|| {
             let task = format!("prepare the kernel {name}");
             let fault = |error: core::Error| DeviceError::of_call(&task, &error);
-            let kernel = core::create_kernel(&program.0, name).map_err(fault)?;
+            let kernel = core::create_kernel(&program.object, name).map_err(fault)?;
             if let Ok(KernelInfoResult::NumArgs(expected)) = core::get_kernel_info(&kernel, KernelInfo::NumArgs)
                 && expected as usize != args.len()
             {
@@ -184,7 +141,7 @@ impl Session {
                 )));
             }
             for (index, arg) in (0u32..).zip(args) {
-                set(&kernel, index, arg).map_err(fault)?;
+                arg.set(&kernel, index).map_err(fault)?;
             }
             let local = group(self.group_limit(&kernel));
             let global = [
@@ -198,27 +155,6 @@ impl Session {
         })
     }
 
-    fn build_error(&self, program: &core::Program, error: Option<&core::Error>, options: &CString) -> DeviceError {
-        let asked = core::get_program_build_info(program, self.device, ProgramBuildInfo::BuildLog);
-        let log = match asked {
-            Ok(ProgramBuildInfoResult::BuildLog(log)) => log,
-            _ => String::new(),
-        };
-        let device = &self.info.name;
-        if let Some(cause) = first_error(&log) {
-            return DeviceError::new(format!("the kernels don't compile for {device}: {cause}")).with_log(&log);
-        }
-        let task = format!(
-            "compile the kernels for {device} with the options \"{}\"",
-            options.to_string_lossy()
-        );
-        match error {
-            Some(error @ core::Error::Api(_)) => DeviceError::of_call(&task, error).with_log(&log),
-            _ => DeviceError::new(format!("couldn't {task}: the compiler gives no reason"))
-                .with_help("PoCL needs a cache folder that it can write to: set POCL_CACHE_DIR to one"),
-        }
-    }
-
     fn check_size(&self, bytes: usize) -> Result<(), DeviceError> {
         let most = self.info.max_allocation;
         if most == 0 || bytes as u64 <= most {
@@ -228,7 +164,7 @@ impl Session {
         Err(DeviceError::new(format!(
             "{name} holds at most {most} bytes in one buffer, and {bytes} are needed"
         ))
-        .with_help("try a smaller picture, a simpler scene or another device"))
+        .with_help(MEMORY_HELP))
     }
 
     /// The most work-items that one group of this kernel may have on this device.
@@ -240,59 +176,10 @@ impl Session {
     }
 }
 
-impl<T> Buffer<T> {
-    /// The number of elements.
-    pub fn len(&self) -> usize {
-        self.len
-    }
-
-    /// Whether there are no elements.
-    pub fn is_empty(&self) -> bool {
-        self.len == 0
-    }
-}
-
-impl<'a, T> From<&'a Buffer<T>> for Arg<'a> {
-    fn from(buffer: &'a Buffer<T>) -> Self {
-        Self(Value::Memory(&buffer.memory))
-    }
-}
-
-impl From<u32> for Arg<'_> {
-    fn from(value: u32) -> Self {
-        Self(Value::Narrow(value))
-    }
-}
-
-impl From<u64> for Arg<'_> {
-    fn from(value: u64) -> Self {
-        Self(Value::Wide(value))
-    }
-}
-
-fn set(kernel: &Kernel, index: u32, arg: &Arg<'_>) -> core::Result<()> {
-    let value = match &arg.0 {
-        Value::Memory(memory) => ArgVal::mem(memory),
-        Value::Narrow(value) => ArgVal::scalar(value),
-        Value::Wide(value) => ArgVal::scalar(value),
-    };
-    core::set_kernel_arg(kernel, index, value)
-}
-
-fn c_string(text: &str, what: &str) -> Result<CString, DeviceError> {
-    CString::new(text).map_err(|_| DeviceError::new(format!("{what} contain a zero byte")))
-}
-
 /// The device time between the start and the end of a command.
 fn nanoseconds(event: &Event) -> Option<u64> {
     let at = |what| core::get_event_profiling_info(event, what).ok()?.time().ok();
     at(ProfilingInfo::End)?.checked_sub(at(ProfilingInfo::Start)?)
-}
-
-/// The line of a compiler's log that says most: the first that names an error, else the first with words.
-fn first_error(log: &str) -> Option<String> {
-    let lines = || log.lines().map(line).filter(|one| !one.is_empty());
-    lines().find(|one| one.contains("error")).or_else(|| lines().next())
 }
 
 /// The largest part of [`GROUP`] with no more than `most` work-items. The rows go first: devices that put
@@ -333,13 +220,5 @@ mod tests {
         for (size, expect) in [(1, 16), (16, 16), (17, 32), (65535, 65536)] {
             assert_eq!(round_up(size, 16), expect);
         }
-    }
-
-    #[test]
-    fn the_telling_line_of_a_log_is_found() {
-        let log = "warning: x\n\n  k.cl:3:1: error: use of 'y'\n1 error generated\n";
-        assert_eq!(first_error(log).as_deref(), Some("k.cl:3:1: error: use of 'y'"));
-        assert_eq!(first_error("\n something \n").as_deref(), Some("something"));
-        assert_eq!(first_error(" \n\n"), None);
     }
 }

@@ -1,7 +1,13 @@
 //! Where OpenCL or its drivers are missing, a program starts at once and finds nothing, with a reason.
 //!
 //! The tests run this very program again under such conditions: discovery happens once per process.
+
 #![cfg(target_os = "linux")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test may do both, in its helpers too"
+)]
 
 use scenec_device::discover;
 use std::path::Path;

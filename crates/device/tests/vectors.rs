@@ -2,8 +2,15 @@
 //!
 //! Without OpenCL there is nothing to run: the tests say so and pass, unless `SCENEC_REQUIRE_OPENCL=1` insists.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test may do both, in its helpers too"
+)]
+
 use scenec_device::{Arg, DeviceInfo, Plain, Program, Session, discover, gpu, select};
 use std::fmt::Debug;
+use std::ops::Add;
 use std::time::Instant;
 
 const ADD: &str = "
@@ -27,9 +34,9 @@ fn device() -> Option<&'static DeviceInfo> {
 }
 
 /// Adds `count` elements, and compares with the same sum here.
-fn check<T: Plain + PartialEq + Debug + Default>(session: &Session, real: &str, count: u32, make: impl Fn(u32) -> T)
+fn check<T>(session: &Session, real: &str, count: u32, make: impl Fn(u32) -> T)
 where
-    T: std::ops::Add<Output = T>,
+    T: Plain + Add<Output = T> + PartialEq + Default,
 {
     let start = Instant::now();
     let program = session.build(ADD, &format!("-D real={real}")).unwrap();
