@@ -1,0 +1,216 @@
+//! What a straight line sees of a solid: where it goes in and out, from one end of the line to the other.
+
+use scenec_scene::{DVec3, MaterialId, Op, SolidId};
+
+/// A point on a leaf's surface, from which a further line may start.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Spot {
+    /// Which surface it is on: leaves of one family have the same.
+    pub(crate) family: u32,
+    /// Where on it, in the surface's own coordinates.
+    pub(crate) place: DVec3,
+    /// The same in world units.
+    pub(crate) point: DVec3,
+}
+
+/// A place where a line crosses the surface of a solid.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Edge {
+    /// How far along the line, in lengths of its direction.
+    pub(crate) t: f64,
+    /// The leaf whose surface it is.
+    pub(crate) leaf: SolidId,
+    /// What the surface is made of.
+    pub(crate) material: MaterialId,
+    /// Unit, out of the solid that the list is of: a subtracted leaf has its own reversed.
+    pub(crate) normal: DVec3,
+    /// Where it is.
+    pub(crate) spot: Spot,
+}
+
+/// The crossings of one line with one solid. Each is at another `t` than the one before, so the line is in the solid
+/// after every second of them and no interval has length 0.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub(crate) struct List {
+    /// Whether the line comes out of the solid from its far end at t = -infinity.
+    pub(crate) before: bool,
+    /// In the order of `t`.
+    pub(crate) edges: Vec<Edge>,
+}
+
+/// What a ray meets.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Hit {
+    /// Where.
+    pub(crate) edge: Edge,
+    /// Whether the ray goes from the outside of the solid to its inside there.
+    pub(crate) entering: bool,
+}
+
+impl List {
+    /// What a ray from t = 0 that is on this side of the surface (inside or not) meets; `None` takes the side that
+    /// the line is on. Where rounding has the line on the other side just after its start, it is followed to where it
+    /// is on the right one.
+    pub(crate) fn first(&self, side: Option<bool>) -> Option<Hit> {
+        let mut inside = self.before;
+        for &edge in &self.edges {
+            if edge.t > 0.0 && side.is_none_or(|side| side == inside) {
+                let entering = !inside;
+                return Some(Hit { edge, entering });
+            }
+            inside = !inside;
+        }
+        None
+    }
+
+    /// The same crossings of a solid made of one material.
+    pub(crate) fn painted(mut self, material: MaterialId) -> Self {
+        for edge in &mut self.edges {
+            edge.material = material;
+        }
+        self
+    }
+
+    /// The list of the combination of two solids.
+    ///
+    /// A solid holds the points from the one crossing up to, not including, the next. All crossings at the same `t` are
+    /// applied before membership is asked for, so what has no length does not show. A crossing of both is the left
+    /// one's.
+    pub(crate) fn combine(op: Op, left: &Self, right: &Self) -> Self {
+        let (mut in_left, mut in_right) = (left.before, right.before);
+        let mut inside = member(op, in_left, in_right);
+        let mut combined = Self {
+            before: inside,
+            edges: Vec::new(),
+        };
+        let (mut from_left, mut from_right) = (left.edges.iter().peekable(), right.edges.iter().peekable());
+        loop {
+            let t = match (from_left.peek(), from_right.peek()) {
+                (None, None) => return combined,
+                (Some(edge), None) | (None, Some(edge)) => edge.t,
+                (Some(a), Some(b)) => a.t.min(b.t),
+            };
+            let a = from_left.next_if(|edge| edge.t == t);
+            let b = from_right.next_if(|edge| edge.t == t);
+            in_left ^= a.is_some();
+            in_right ^= b.is_some();
+            let now = member(op, in_left, in_right);
+            if now != inside {
+                inside = now;
+                let turned = |edge: &Edge| Edge {
+                    normal: if op == Op::Subtraction {
+                        -edge.normal
+                    } else {
+                        edge.normal
+                    },
+                    ..*edge
+                };
+                combined.edges.extend(a.copied().or_else(|| b.map(turned)));
+            }
+        }
+    }
+}
+
+fn member(op: Op, in_left: bool, in_right: bool) -> bool {
+    match op {
+        Op::Union => in_left || in_right,
+        Op::Intersection => in_left && in_right,
+        Op::Subtraction => in_left && !in_right,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use scenec_scene::{DVec3, MaterialId, Op, SolidId};
+
+    use super::{Edge, List, Spot};
+
+    const LEFT: u32 = 1;
+    const RIGHT: u32 = 2;
+
+    fn list(leaf: u32, before: bool, ts: &[f64]) -> List {
+        let spot = Spot {
+            family: leaf,
+            place: DVec3::ZERO,
+            point: DVec3::ZERO,
+        };
+        let edge = |&t| Edge {
+            t,
+            leaf: SolidId(leaf),
+            material: MaterialId(leaf),
+            normal: DVec3::X,
+            spot,
+        };
+        List {
+            before,
+            edges: ts.iter().map(edge).collect(),
+        }
+    }
+
+    type Ends<'a> = (bool, &'a [f64]);
+
+    /// The combination begins as said and has these crossings: where, and of whom (negative where reversed).
+    fn check(op: Op, left: Ends<'_>, right: Ends<'_>, before: bool, expect: &[(f64, i32)]) {
+        let combined = List::combine(op, &list(LEFT, left.0, left.1), &list(RIGHT, right.0, right.1));
+        let of_whom = |edge: &Edge| (edge.t, edge.leaf.0 as i32 * edge.normal.x as i32);
+        let edges: Vec<_> = combined.edges.iter().map(of_whom).collect();
+        assert_eq!(
+            (combined.before, &edges[..]),
+            (before, expect),
+            "{op:?} {left:?} {right:?}"
+        );
+    }
+
+    #[test]
+    fn lists_combine_by_membership() {
+        use Op::{Intersection, Subtraction, Union};
+        let (a, b): (Ends<'_>, Ends<'_>) = ((false, &[0.0, 2.0]), (false, &[1.0, 3.0]));
+        check(Union, a, b, false, &[(0.0, 1), (3.0, 2)]);
+        check(Intersection, a, b, false, &[(1.0, 2), (2.0, 1)]);
+        check(Subtraction, a, b, false, &[(0.0, 1), (1.0, -2)]);
+        check(Subtraction, b, a, false, &[(2.0, -2), (3.0, 1)]);
+        // The far exit of a union whose left part has two pieces.
+        check(
+            Union,
+            (false, &[-1.0, 1.0, 3.0, 5.0]),
+            (false, &[-1.0, 4.0]),
+            false,
+            &[(-1.0, 1), (5.0, 1)],
+        );
+        // Half-spaces reach to the ends of the line.
+        check(
+            Intersection,
+            (true, &[1.0]),
+            (false, &[0.0]),
+            false,
+            &[(0.0, 2), (1.0, 1)],
+        );
+        check(Subtraction, (true, &[]), a, true, &[(0.0, -2), (2.0, -2)]);
+        check(Union, (true, &[0.0]), (false, &[0.0]), true, &[]);
+    }
+
+    #[test]
+    fn coincident_crossings_are_one() {
+        use Op::{Intersection, Subtraction, Union};
+        let (a, low, high): (Ends<'_>, Ends<'_>, Ends<'_>) =
+            ((false, &[0.0, 2.0]), (false, &[0.0, 1.0]), (false, &[1.0, 2.0]));
+        check(Subtraction, a, a, false, &[]);
+        check(Union, a, a, false, &[(0.0, 1), (2.0, 1)]);
+        check(Intersection, a, a, false, &[(0.0, 1), (2.0, 1)]);
+        check(Union, low, high, false, &[(0.0, 1), (2.0, 2)]);
+        check(Intersection, low, high, false, &[]);
+        check(Subtraction, low, high, false, &[(0.0, 1), (1.0, 1)]);
+        check(Subtraction, a, high, false, &[(0.0, 1), (1.0, -2)]);
+        check(Union, high, a, false, &[(0.0, 2), (2.0, 1)]);
+    }
+
+    #[test]
+    fn a_ray_meets_the_first_crossing_from_its_own_side() {
+        let solid = list(LEFT, false, &[-1.0, 0.0, 2.0, 3.0]);
+        let first = |side| solid.first(side).map(|hit| (hit.edge.t, hit.entering));
+        assert_eq!(first(None), Some((2.0, true)));
+        assert_eq!(first(Some(false)), Some((2.0, true)));
+        assert_eq!(first(Some(true)), Some((3.0, false)));
+        assert_eq!(list(LEFT, true, &[0.0]).first(None), None);
+    }
+}

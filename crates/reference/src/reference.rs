@@ -1,0 +1,163 @@
+//! The oracle as a tracer: rows, threads, layers.
+
+use std::iter;
+use std::sync::{Mutex, PoisonError};
+use std::thread;
+
+use scenec_picture::{Frame, Picture, Request, Stats, TraceError, Tracer};
+use scenec_scene::Scene;
+
+use crate::camera::{Eye, sample_point};
+use crate::shade::{Sight, Tally, World};
+
+/// A scene, ready to be traced slowly in f64.
+///
+/// The cut-off of a request is not heeded, for nothing is too faint for an oracle; its ray budget is, sample by sample
+/// and depth first, a refracted ray before the reflected one beside it.
+#[derive(Clone, Debug)]
+pub struct Reference {
+    world: World,
+    eye: Option<Eye>,
+    samples: u32,
+    threads: usize,
+}
+
+impl Reference {
+    /// Takes what it needs from a scene, simplifying nothing.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        Self {
+            world: World::new(scene),
+            eye: Eye::new(&scene.settings),
+            samples: scene.settings.samples.max(1),
+            threads: thread::available_parallelism().map_or(1, usize::from),
+        }
+    }
+
+    /// A pixel by its column and row in the whole picture: the mean of its samples, and what the first one met.
+    fn pixel(&self, eye: &Eye, column: u32, row: u32, tally: &mut Tally) -> Sight {
+        let mut look = |k| {
+            let (x, y) = sample_point(k);
+            let direction = eye.towards(f64::from(column) + x, f64::from(row) + y);
+            self.world.look(eye.place, direction, tally)
+        };
+        let first = look(0);
+        let sum = (1..self.samples).fold(first.colour, |sum, k| sum + look(k).colour);
+        Sight {
+            colour: sum / f64::from(self.samples),
+            ..first
+        }
+    }
+
+    /// A row of the window; what is left of it stays as it was if somebody says stop.
+    fn row(&self, eye: &Eye, request: &Request<'_>, row: u32, mut out: Row<'_>) -> Stats {
+        let mut stats = Stats::default();
+        for index in 0..out.picture.len() {
+            if request.watch.stopped() {
+                break;
+            }
+            let mut tally = Tally::new(request.limits.ray_budget.max(1));
+            let column = request.window.x.saturating_add(index as u32);
+            let sight = self.pixel(eye, column, row, &mut tally);
+            out.put(index, &sight);
+            stats = stats.merge(tally.stats(self.samples));
+        }
+        stats
+    }
+
+    /// All rows, shared among the threads; each takes the next one when it has finished its last.
+    fn share<'a>(&self, eye: &Eye, request: &Request<'_>, rows: impl Iterator<Item = (u32, Row<'a>)> + Send) -> Stats {
+        let queue = Mutex::new(rows);
+        let total = Mutex::new(Stats::default());
+        let work = || {
+            while !request.watch.stopped() {
+                let next = queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+                let Some((row, out)) = next else { return };
+                let stats = self.row(eye, request, row, out);
+                let mut total = total.lock().unwrap_or_else(PoisonError::into_inner);
+                *total = total.merge(stats);
+                request.watch.advance(u64::from(request.window.width));
+            }
+        };
+        thread::scope(|scope| {
+            for _ in 0..self.threads {
+                scope.spawn(work);
+            }
+        });
+        total.into_inner().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Tracer for Reference {
+    fn name(&self) -> String {
+        let plural = if self.threads == 1 { "" } else { "s" };
+        format!("reference f64, {} thread{plural}", self.threads)
+    }
+
+    fn trace(&mut self, request: &Request<'_>) -> Result<Frame, TraceError> {
+        let eye = self.eye.as_ref().ok_or_else(|| {
+            TraceError::Failed(
+                "the eye, its aim and its up direction give no view; two of them agree or are 0".to_owned(),
+            )
+        })?;
+        let (window, layers) = (request.window, request.layers);
+        let mut picture = Picture::black(window.width, window.height)?;
+        let pixels = picture.pixels().len();
+        let mut ids = layers.ids.then(|| vec![0; pixels]);
+        let mut exact = layers.exact.then(|| vec![[0.0; 3]; pixels]);
+        let mut paths = layers.paths.then(|| vec![0; pixels]);
+
+        let width = window.width.max(1) as usize;
+        let stats = {
+            let (mut ids, mut exact) = (rows(&mut ids, width), rows(&mut exact, width));
+            let mut paths = rows(&mut paths, width);
+            let out = picture.pixels_mut().chunks_mut(width).map(|picture| Row {
+                picture,
+                ids: ids.next().flatten(),
+                exact: exact.next().flatten(),
+                paths: paths.next().flatten(),
+            });
+            self.share(eye, request, (window.y..).zip(out))
+        };
+        if request.watch.stopped() {
+            return Err(TraceError::Cancelled);
+        }
+        Ok(Frame {
+            picture,
+            ids,
+            exact,
+            paths,
+            stats,
+        })
+    }
+}
+
+/// One row of all that was asked for.
+struct Row<'a> {
+    picture: &'a mut [[f32; 3]],
+    ids: Option<&'a mut [u32]>,
+    exact: Option<&'a mut [[f64; 3]]>,
+    paths: Option<&'a mut [u64]>,
+}
+
+impl Row<'_> {
+    fn put(&mut self, index: usize, sight: &Sight) {
+        let colour = sight.colour.to_array();
+        self.picture[index] = colour.map(|value| value as f32);
+        if let Some(ids) = &mut self.ids {
+            ids[index] = sight.leaf;
+        }
+        if let Some(exact) = &mut self.exact {
+            exact[index] = colour;
+        }
+        if let Some(paths) = &mut self.paths {
+            paths[index] = sight.path;
+        }
+    }
+}
+
+/// The rows of a layer; of one that nobody asked for there is nothing in each.
+fn rows<T>(layer: &mut Option<Vec<T>>, width: usize) -> impl Iterator<Item = Option<&mut [T]>> {
+    let there = layer.iter_mut().flat_map(move |pixels| pixels.chunks_mut(width));
+    there.map(Some).chain(iter::repeat_with(|| None))
+}
