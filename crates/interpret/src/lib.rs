@@ -1,1 +1,15 @@
-//! placeholder
+//! From statements to a scene: what the names on the lines mean.
+//!
+//! Owns binding, the hierarchy of objects, the settings and every finding about them, and keeps the symbol table that
+//! an editor reads. It must not know disks, renderers or editors.
+
+mod finish;
+mod interpret;
+mod names;
+mod state;
+mod statements;
+mod suggest;
+mod symbols;
+
+pub use interpret::{Interpretation, analyse, interpret};
+pub use symbols::{Occurrence, Role, Symbol, SymbolId, SymbolTable};

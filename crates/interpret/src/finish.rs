@@ -1,0 +1,46 @@
+//! The end of the file: what is missing, what was never used, and the scene if nothing is wrong.
+
+mod camera;
+mod settings;
+mod submission;
+mod unknown;
+mod unused;
+
+use scenec_scene::Scene;
+use scenec_text::{Diagnostic, Span};
+
+use crate::Interpretation;
+use crate::state::State;
+use crate::suggest::Suggestions;
+
+/// Judges the whole file and builds the scene. `last` is the last line that isn't blank.
+pub(crate) fn finish(mut state: State<'_>, last: Option<Span>) -> (Interpretation, Vec<Diagnostic>) {
+    let end = u32::try_from(state.text.len()).unwrap_or(u32::MAX);
+    let last = last.unwrap_or_else(|| Span::at(end));
+    let mut suggestions = Suggestions::new();
+    unknown::report(&mut state, &mut suggestions);
+    unused::report(&mut state, &mut suggestions);
+    let settings = settings::gather(&mut state, last);
+    let root = submission::check(&mut state, last);
+    if let Some(settings) = &settings {
+        camera::check(&mut state, settings);
+    }
+    let mut diagnostics = state.diagnostics;
+    diagnostics.sort_by_key(|finding| finding.span().start);
+    let scene = match (settings, root) {
+        (Some(settings), Some(root)) if !state.failed => Some(Scene {
+            settings,
+            materials: state.materials,
+            lights: state.lights,
+            solids: state.solids,
+            steps: state.steps,
+            root,
+        }),
+        _ => None,
+    };
+    let interpretation = Interpretation {
+        scene,
+        symbols: state.symbols,
+    };
+    (interpretation, diagnostics)
+}

@@ -1,0 +1,167 @@
+//! The settings, as they stand at the end of the file.
+
+use scenec_scene::{SETTINGS, SettingInfo, Settings};
+use scenec_text::{Code, Diagnostic, Span};
+
+use crate::names::Binding;
+use crate::state::{State, Variable};
+
+/// What a file that lacks a required setting may paste in.
+const EXAMPLES: &[(&str, &str)] = &[
+    ("width", "600"),
+    ("height", "400"),
+    ("lookat_x", "0"),
+    ("lookat_y", "0"),
+    ("lookat_z", "0"),
+    ("eyepos_x", "0"),
+    ("eyepos_y", "1"),
+    ("eyepos_z", "5"),
+    ("ambient_r", "0.2"),
+    ("ambient_g", "0.3"),
+    ("ambient_b", "0.5"),
+    ("ambient_int_r", "1"),
+    ("ambient_int_g", "1"),
+    ("ambient_int_b", "1"),
+    ("raydepth", "4"),
+];
+
+/// The settings in range; `None` where one is missing, out of range or spoilt by an error. Reports the first two.
+pub(super) fn gather(state: &mut State<'_>, last: Span) -> Option<Settings> {
+    let mut findings = Vec::new();
+    let mut missing = Vec::new();
+    let mut complete = true;
+    for row in SETTINGS {
+        match found(state, row) {
+            Found::Value(variable) => {
+                if !row.range.holds(variable.value) {
+                    findings.push(out_of_range(state, row, variable));
+                    complete = false;
+                }
+            }
+            Found::Twice(first, second) => {
+                findings.push(twice(row, first, second));
+                complete = false;
+            }
+            Found::Poisoned => complete = false,
+            Found::Missing(ignored) if row.default.is_none() => missing.push((row, ignored)),
+            Found::Missing(_) => {}
+        }
+    }
+    if !missing.is_empty() {
+        findings.push(report_missing(&missing, last));
+        complete = false;
+    }
+    for finding in findings {
+        state.report(finding);
+    }
+    complete.then(|| Settings::gather(|name| value(state, name)))
+}
+
+enum Found<'s> {
+    Value(&'s Variable),
+    Twice(&'s Variable, &'s Variable),
+    Poisoned,
+    /// Nothing sets it; the last line that would have, but was ignored.
+    Missing(Option<Span>),
+}
+
+fn found<'s>(state: &'s State<'_>, row: &SettingInfo) -> Found<'s> {
+    let entries = [Some(row.name), row.alias].map(|name| name.and_then(|name| state.variables.find(name)));
+    let poisoned = |entry: &&crate::names::Entry<'_, Variable>| matches!(entry.binding, Binding::Poisoned);
+    if entries.iter().flatten().any(poisoned) {
+        return Found::Poisoned;
+    }
+    match entries.map(|entry| entry.and_then(|entry| entry.bound())) {
+        [Some(name), Some(alias)] => Found::Twice(name, alias),
+        [Some(one), None] | [None, Some(one)] => Found::Value(one),
+        [None, None] => Found::Missing(entries.iter().flatten().find_map(|entry| entry.ignored)),
+    }
+}
+
+fn value(state: &State<'_>, name: &str) -> Option<f64> {
+    let row = scenec_scene::setting(name)?;
+    match found(state, row) {
+        Found::Value(variable) => Some(variable.value),
+        _ => None,
+    }
+}
+
+fn out_of_range(state: &State<'_>, row: &SettingInfo, variable: &Variable) -> Diagnostic {
+    let name = row
+        .alias
+        .filter(|alias| variable.line.of(state.text).starts_with(alias))
+        .unwrap_or(row.name);
+    Diagnostic::new(
+        Code::SettingOutOfRange,
+        format!("`{name}` must be {}", row.range.words()),
+        variable.written,
+        format!("is {}", variable.value),
+    )
+    .help(format!("`{name}` holds {}", row.meaning))
+}
+
+fn twice(row: &SettingInfo, name: &Variable, alias: &Variable) -> Diagnostic {
+    let other = row.alias.unwrap_or(row.name);
+    let (first, second) = if name.line.start <= alias.line.start {
+        (name, alias)
+    } else {
+        (alias, name)
+    };
+    Diagnostic::new(
+        Code::SettingTwice,
+        format!(
+            "`{}` and `{other}` are the same setting, and the file sets both",
+            row.name
+        ),
+        second.line,
+        "set again here under its other name",
+    )
+    .label(first.line, "first set here")
+    .help("remove one of the two")
+}
+
+fn report_missing(missing: &[(&SettingInfo, Option<Span>)], last: Span) -> Diagnostic {
+    let names: Vec<_> = missing.iter().map(|(row, _)| format!("`{}`", row.name)).collect();
+    let message = match names.as_slice() {
+        [one] => format!("the setting {one} is missing"),
+        _ => format!("{} settings are missing: {}", names.len(), names.join(", ")),
+    };
+    let label = if names.len() == 1 {
+        "the file ends without it"
+    } else {
+        "the file ends without them"
+    };
+    let mut finding = Diagnostic::new(Code::MissingSettings, message, last, label);
+    for (row, ignored) in missing {
+        if let Some(ignored) = ignored {
+            finding = finding.label(*ignored, format!("this would have set `{}`, but was ignored", row.name));
+        }
+    }
+    let lines: Vec<_> = missing
+        .iter()
+        .map(|(row, _)| format!("{} := {}", row.name, example(row.name)))
+        .collect();
+    finding.help(format!("add, with values of your own:\n{}", lines.join("\n")))
+}
+
+fn example(name: &str) -> &'static str {
+    EXAMPLES
+        .iter()
+        .find(|(known, _)| *known == name)
+        .map_or("0", |(_, value)| value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{EXAMPLES, SETTINGS};
+
+    #[test]
+    fn every_required_setting_has_an_example_in_its_range() {
+        let required: Vec<_> = SETTINGS.iter().filter(|row| row.default.is_none()).collect();
+        assert_eq!(required.len(), EXAMPLES.len());
+        for (row, (name, value)) in required.iter().zip(EXAMPLES) {
+            assert_eq!(row.name, *name);
+            assert!(row.range.holds(value.parse().unwrap()), "{name}");
+        }
+    }
+}

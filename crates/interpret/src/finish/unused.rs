@@ -1,0 +1,79 @@
+//! Statements that turned out to do nothing: a variable that nothing reads, a material or an edit that came too late.
+
+use scenec_scene::{SETTINGS, setting};
+use scenec_syntax::{Space, quote};
+use scenec_text::{Code, Diagnostic};
+
+use crate::names::Binding;
+use crate::state::{Paint, State, Variable};
+use crate::statements::report_stale;
+use crate::suggest::Suggestions;
+
+/// Reports them all.
+pub(super) fn report(state: &mut State<'_>, suggestions: &mut Suggestions) {
+    let mut findings = Vec::new();
+    for entry in &state.variables.entries {
+        if let Some(variable) = entry.bound()
+            && !variable.used
+            && setting(entry.name).is_none()
+        {
+            findings.push(unread(entry.name, variable, suggestions));
+        }
+    }
+    for entry in &state.paints.entries {
+        findings.extend(entry.bound().and_then(|paint| redefined(entry.name, paint)));
+    }
+    for finding in findings {
+        state.report(finding);
+    }
+    for id in 0..state.objects.entries.len() {
+        let entry = &mut state.objects.entries[id];
+        let name = entry.name;
+        if let Some(object) = entry.replace(Binding::Absent) {
+            report_stale(state, name, &object);
+            state.objects.entries[id].binding = Binding::Bound(object);
+        }
+    }
+}
+
+fn unread(name: &str, variable: &Variable, suggestions: &mut Suggestions) -> Diagnostic {
+    let word = quote(name);
+    if let Some(read) = variable.last_read {
+        return Diagnostic::new(
+            Code::UnusedVariable,
+            format!("nothing reads {word} after it is set here"),
+            variable.line,
+            "nothing reads this value",
+        )
+        .label(read, "an earlier value was last read here")
+        .help("move the assignment before the statement that should use it, or remove it");
+    }
+    let finding = Diagnostic::new(
+        Code::UnusedVariable,
+        format!("nothing reads the variable {word}"),
+        variable.line,
+        "neither a setting nor used",
+    );
+    let settings = SETTINGS
+        .iter()
+        .flat_map(|row| std::iter::once(row.name).chain(row.alias));
+    match suggestions.closest(name, settings) {
+        Some(near) => finding.help(format!("did you mean the setting `{near}`?")),
+        None => finding.help("remove it, or use it"),
+    }
+}
+
+fn redefined(name: &str, paint: &Paint) -> Option<Diagnostic> {
+    let taken = paint.taken.filter(|_| !paint.used)?;
+    let word = quote(&format!("{}{name}", Space::Material.sigil()));
+    Some(
+        Diagnostic::new(
+            Code::MaterialRedefined,
+            format!("{word} is redefined, but no object takes it afterwards"),
+            paint.line,
+            "no object has this material",
+        )
+        .label(taken, format!("an object took {word} here as it stood"))
+        .help("move the definition before the object takes it, or give it to the object again"),
+    )
+}

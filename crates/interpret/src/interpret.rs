@@ -1,0 +1,48 @@
+//! One pass over the lines, then the end of the file.
+
+use scenec_scene::Scene;
+use scenec_syntax::{Content, Line, parse};
+use scenec_text::{Diagnostic, SourceFile};
+
+use crate::state::State;
+use crate::{SymbolTable, finish, statements};
+
+/// What a file means.
+#[derive(Clone, Debug)]
+pub struct Interpretation {
+    /// The scene; `None` if the file has any error, one of the parser or the file's reader included.
+    pub scene: Option<Scene>,
+    /// Every name and where it stands.
+    pub symbols: SymbolTable,
+}
+
+/// Interprets the lines that [`parse`] made of `source`. The findings are ordered by place; what a broken line or a bad
+/// byte caused has been reported and is passed over.
+#[must_use]
+pub fn interpret(source: &SourceFile, lines: &[Line]) -> (Interpretation, Vec<Diagnostic>) {
+    let mut state = State::new(source.text());
+    for line in lines {
+        match &line.content {
+            Content::Comment => {}
+            Content::Statement(statement) => statements::run(&mut state, line.span, statement),
+            Content::Broken(broken) => statements::broken(&mut state, line.span, broken),
+        }
+    }
+    state.failed |= !source.holes().is_empty();
+    let end = lines
+        .iter()
+        .rev()
+        .map(|line| line.comment.map_or(line.span, |comment| line.span.to(comment)))
+        .next();
+    finish::finish(state, end)
+}
+
+/// Parses and interprets a file. The findings of both stages come in one list, ordered by place.
+#[must_use]
+pub fn analyse(source: &SourceFile) -> (Interpretation, Vec<Diagnostic>) {
+    let (lines, mut diagnostics) = parse(source);
+    let (interpretation, more) = interpret(source, &lines);
+    diagnostics.extend(more);
+    diagnostics.sort_by_key(|finding| finding.span().start);
+    (interpretation, diagnostics)
+}

@@ -1,0 +1,104 @@
+//! A name space: what each of its names is bound to at the current line.
+
+use std::collections::HashMap;
+
+use scenec_syntax::Space;
+use scenec_text::Span;
+
+use crate::{Role, SymbolTable};
+
+/// Number of a name in its name space.
+pub(crate) type NameId = usize;
+
+/// What a name is bound to.
+pub(crate) enum Binding<T> {
+    /// Nothing so far.
+    Absent,
+    /// Something that is not known, because of an error already reported: what uses it is passed over in silence.
+    Poisoned,
+    /// This.
+    Bound(T),
+}
+
+/// A name and what became of it.
+pub(crate) struct Entry<'a, T> {
+    pub(crate) name: &'a str,
+    pub(crate) symbol: crate::SymbolId,
+    pub(crate) binding: Binding<T>,
+    /// The first statement that bound it.
+    pub(crate) first_bound: Option<Span>,
+    /// The last statement that would have bound it, but was ignored.
+    pub(crate) ignored: Option<Span>,
+}
+
+impl<T> Entry<'_, T> {
+    pub(crate) const fn bound(&self) -> Option<&T> {
+        match &self.binding {
+            Binding::Bound(value) => Some(value),
+            Binding::Absent | Binding::Poisoned => None,
+        }
+    }
+
+    pub(crate) const fn bound_mut(&mut self) -> Option<&mut T> {
+        match &mut self.binding {
+            Binding::Bound(value) => Some(value),
+            Binding::Absent | Binding::Poisoned => None,
+        }
+    }
+
+    /// Binds the name by the statement at `line`; gives what it was bound to before.
+    pub(crate) fn bind(&mut self, line: Span, value: T) -> Option<T> {
+        self.first_bound.get_or_insert(line);
+        self.replace(Binding::Bound(value))
+    }
+
+    pub(crate) fn replace(&mut self, binding: Binding<T>) -> Option<T> {
+        match std::mem::replace(&mut self.binding, binding) {
+            Binding::Bound(value) => Some(value),
+            Binding::Absent | Binding::Poisoned => None,
+        }
+    }
+}
+
+/// The names of one space, in the order in which they first stand in the file.
+pub(crate) struct Names<'a, T> {
+    space: Space,
+    ids: HashMap<&'a str, NameId>,
+    pub(crate) entries: Vec<Entry<'a, T>>,
+}
+
+impl<'a, T> Names<'a, T> {
+    pub(crate) fn new(space: Space) -> Self {
+        Self {
+            space,
+            ids: HashMap::new(),
+            entries: Vec::new(),
+        }
+    }
+
+    /// The number of the name at `span`, which is new if it never stood before; notes the place.
+    pub(crate) fn mention(&mut self, text: &'a str, span: Span, role: Role, symbols: &mut SymbolTable) -> NameId {
+        let name = span.of(text);
+        let id = *self.ids.entry(name).or_insert_with(|| {
+            self.entries.push(Entry {
+                name,
+                symbol: symbols.add(self.space, span),
+                binding: Binding::Absent,
+                first_bound: None,
+                ignored: None,
+            });
+            self.entries.len() - 1
+        });
+        symbols.record(self.entries[id].symbol, span, role);
+        id
+    }
+
+    /// The entry of a name, if it stood anywhere before.
+    pub(crate) fn find(&self, name: &str) -> Option<&Entry<'a, T>> {
+        self.ids.get(name).and_then(|id| self.entries.get(*id))
+    }
+
+    pub(crate) fn find_mut(&mut self, name: &str) -> Option<&mut Entry<'a, T>> {
+        self.ids.get(name).and_then(|id| self.entries.get_mut(*id))
+    }
+}

@@ -1,0 +1,252 @@
+//! What is known at the current line: the four name spaces and the scene so far.
+
+use scenec_scene::{DEFAULT_MATERIAL, Light, Material, MaterialId, Solid, SolidId, SolidKind, Step, StepId};
+use scenec_syntax::{Space, Value, ValueKind};
+use scenec_text::{Code, Diagnostic, Severity, Span};
+
+use crate::names::{Binding, NameId, Names};
+use crate::{Role, SymbolTable};
+
+/// Why a reference leads nowhere.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Gap {
+    /// Nothing has that name; the statement is ignored with a warning.
+    Unknown,
+    /// An error already reported is in the way; the statement is passed over.
+    Poisoned,
+}
+
+/// A reference to a name that was not bound, reported at the end of the file, when it is known whether it ever is.
+pub(crate) struct Unknown {
+    pub(crate) space: Space,
+    pub(crate) id: NameId,
+    pub(crate) span: Span,
+    /// The statement before it that would have bound the name, but was ignored.
+    pub(crate) ignored: Option<Span>,
+}
+
+/// What a variable is bound to.
+pub(crate) struct Variable {
+    pub(crate) value: f64,
+    /// The value as written.
+    pub(crate) written: Span,
+    /// The statement.
+    pub(crate) line: Span,
+    /// Whether anything read this value.
+    pub(crate) used: bool,
+    /// The last reading of this or an earlier value of the name.
+    pub(crate) last_read: Option<Span>,
+}
+
+/// What an object's name is bound to.
+pub(crate) struct Object {
+    pub(crate) solid: SolidId,
+    /// Whether a combination refers to `solid`, so that an edit must change a copy.
+    pub(crate) frozen: bool,
+    /// The statement.
+    pub(crate) line: Span,
+    pub(crate) used: bool,
+    /// The last combination that took it.
+    pub(crate) taken: Option<Span>,
+    /// The edits since then.
+    pub(crate) stale: Vec<Span>,
+}
+
+impl Object {
+    pub(crate) const fn new(solid: SolidId, line: Span) -> Self {
+        Self {
+            solid,
+            frozen: false,
+            line,
+            used: false,
+            taken: None,
+            stale: Vec::new(),
+        }
+    }
+}
+
+/// What a material's name is bound to.
+pub(crate) struct Paint {
+    pub(crate) id: MaterialId,
+    /// The statement.
+    pub(crate) line: Span,
+    pub(crate) used: bool,
+    /// The last statement that gave this or an earlier material of the name to an object.
+    pub(crate) taken: Option<Span>,
+}
+
+/// What a light's name is bound to.
+pub(crate) struct Lamp {
+    pub(crate) index: usize,
+    /// The statement.
+    pub(crate) line: Span,
+}
+
+/// What became of submissions so far.
+#[derive(Default)]
+pub(crate) struct Submission {
+    /// The first one of an existing object, with its statement.
+    pub(crate) done: Option<(SolidId, Span)>,
+    /// One that was ignored.
+    pub(crate) ignored: Option<Span>,
+    /// Whether an error spoilt one.
+    pub(crate) poisoned: bool,
+}
+
+/// Everything known at the current line.
+pub(crate) struct State<'a> {
+    pub(crate) text: &'a str,
+    pub(crate) variables: Names<'a, Variable>,
+    pub(crate) objects: Names<'a, Object>,
+    pub(crate) paints: Names<'a, Paint>,
+    pub(crate) lamps: Names<'a, Lamp>,
+    pub(crate) materials: Vec<Material>,
+    pub(crate) lights: Vec<Light>,
+    pub(crate) solids: Vec<Solid>,
+    pub(crate) steps: Vec<Step>,
+    pub(crate) submission: Submission,
+    pub(crate) unknown: Vec<Unknown>,
+    pub(crate) symbols: SymbolTable,
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    /// Whether there was an error.
+    pub(crate) failed: bool,
+}
+
+impl<'a> State<'a> {
+    pub(crate) fn new(text: &'a str) -> Self {
+        Self {
+            text,
+            variables: Names::new(Space::Variable),
+            objects: Names::new(Space::Object),
+            paints: Names::new(Space::Material),
+            lamps: Names::new(Space::Light),
+            materials: vec![DEFAULT_MATERIAL],
+            lights: Vec::new(),
+            solids: Vec::new(),
+            steps: Vec::new(),
+            submission: Submission::default(),
+            unknown: Vec::new(),
+            symbols: SymbolTable::default(),
+            diagnostics: Vec::new(),
+            failed: false,
+        }
+    }
+
+    pub(crate) fn report(&mut self, finding: Diagnostic) {
+        self.failed |= finding.severity() == Severity::Error;
+        self.diagnostics.push(finding);
+    }
+
+    /// The object that a statement uses or edits, if there is one.
+    pub(crate) fn object(&mut self, span: Span, role: Role) -> Result<NameId, Gap> {
+        let id = self.objects.mention(self.text, span, role, &mut self.symbols);
+        let entry = &self.objects.entries[id];
+        match entry.binding {
+            Binding::Bound(_) => Ok(id),
+            Binding::Poisoned => Err(Gap::Poisoned),
+            Binding::Absent => {
+                self.unknown.push(Unknown {
+                    space: Space::Object,
+                    id,
+                    span,
+                    ignored: entry.ignored,
+                });
+                Err(Gap::Unknown)
+            }
+        }
+    }
+
+    /// The material that a statement uses, if there is one.
+    pub(crate) fn paint(&mut self, span: Span) -> Result<NameId, Gap> {
+        let id = self.paints.mention(self.text, span, Role::Use, &mut self.symbols);
+        let entry = &self.paints.entries[id];
+        match entry.binding {
+            Binding::Bound(_) => Ok(id),
+            Binding::Poisoned => Err(Gap::Poisoned),
+            Binding::Absent => {
+                self.unknown.push(Unknown {
+                    space: Space::Material,
+                    id,
+                    span,
+                    ignored: entry.ignored,
+                });
+                Err(Gap::Unknown)
+            }
+        }
+    }
+
+    /// The numbers of a statement's values; every name among them that is not bound is reported, once a statement.
+    pub(crate) fn numbers<const N: usize>(&mut self, values: &[Value; N]) -> Result<[f64; N], Gap> {
+        let mut numbers = [0.0; N];
+        let mut gap = None;
+        let reported = self.unknown.len();
+        for (number, value) in numbers.iter_mut().zip(values) {
+            match self.number(*value, reported) {
+                Ok(found) => *number = found,
+                Err(found) => gap = gap.max(Some(found)),
+            }
+        }
+        gap.map_or(Ok(numbers), Err)
+    }
+
+    fn number(&mut self, value: Value, reported: usize) -> Result<f64, Gap> {
+        let span = match value.kind {
+            ValueKind::Number(number) => return Ok(value.signed(number)),
+            ValueKind::Pi => return Ok(value.signed(std::f64::consts::PI)),
+            ValueKind::Name(span) => span,
+        };
+        let id = self.variables.mention(self.text, span, Role::Use, &mut self.symbols);
+        let entry = &mut self.variables.entries[id];
+        match &mut entry.binding {
+            Binding::Bound(variable) => {
+                variable.used = true;
+                variable.last_read = Some(span);
+                Ok(value.signed(variable.value))
+            }
+            Binding::Poisoned => Err(Gap::Poisoned),
+            Binding::Absent => {
+                let ignored = entry.ignored;
+                let same = |other: &Unknown| other.space == Space::Variable && other.id == id;
+                if !self.unknown.iter().skip(reported).any(same) {
+                    self.unknown.push(Unknown {
+                        space: Space::Variable,
+                        id,
+                        span,
+                        ignored,
+                    });
+                }
+                Err(Gap::Unknown)
+            }
+        }
+    }
+
+    /// Adds a solid.
+    pub(crate) fn push_solid(&mut self, kind: SolidKind, span: Span) -> SolidId {
+        let id = SolidId(u32::try_from(self.solids.len()).unwrap_or(u32::MAX));
+        self.solids.push(Solid { kind, span });
+        id
+    }
+
+    /// Adds a written transform.
+    pub(crate) fn push_step(&mut self, step: Step) -> StepId {
+        let id = StepId(u32::try_from(self.steps.len()).unwrap_or(u32::MAX));
+        self.steps.push(step);
+        id
+    }
+
+    /// Warns that what `first` bound was never used before `second` bound the name again.
+    pub(crate) fn overwritten(&mut self, space: Space, name: &str, first: Span, second: Span) {
+        let name = scenec_syntax::quote(&format!("{}{name}", space.sigil()));
+        let finding = Diagnostic::new(
+            Code::OverwrittenUnused,
+            format!("{name} is bound again before anything used it"),
+            first,
+            "nothing uses this",
+        );
+        self.report(
+            finding
+                .label(second, "it is bound again here")
+                .help("remove the first statement, or choose another name"),
+        );
+    }
+}

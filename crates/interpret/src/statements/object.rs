@@ -1,0 +1,51 @@
+//! `!x := sphere`
+
+use scenec_scene::{Base, Leaf, MaterialId, SolidKind, Transform};
+use scenec_syntax::quote;
+use scenec_text::{Code, Diagnostic, Span, closest};
+
+use super::operand;
+use crate::Role;
+use crate::state::State;
+
+pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, base: Span) {
+    let id = state
+        .objects
+        .mention(state.text, name, Role::Define, &mut state.symbols);
+    let word = base.of(state.text);
+    let Some((base, _)) = Base::ALL.iter().find(|(_, known)| *known == word) else {
+        let finding = unknown_base(state, name, base);
+        state.report(finding);
+        operand::poison(state, id);
+        return;
+    };
+    let leaf = Leaf {
+        base: *base,
+        transform: Transform::IDENTITY,
+        steps: None,
+        material: MaterialId::DEFAULT,
+    };
+    let solid = state.push_solid(SolidKind::Leaf(leaf), line);
+    operand::bind(state, id, solid, line);
+}
+
+fn unknown_base(state: &mut State<'_>, name: Span, base: Span) -> Diagnostic {
+    let (name, word) = (name.of(state.text), base.of(state.text));
+    let words: Vec<_> = Base::ALL.iter().map(|(_, known)| *known).collect();
+    let finding = Diagnostic::new(
+        Code::UnknownBase,
+        format!("unknown base object {}", quote(word)),
+        base,
+        format!("expected `{}`", words.join("` or `")),
+    );
+    let copied = state.objects.find_mut(word).and_then(|entry| entry.bound_mut());
+    if let Some(object) = copied {
+        object.used = true;
+        let copy = quote(&format!("!{name} := {word} | {word}"));
+        return finding.help(format!("to copy an object, combine it with itself: {copy}"));
+    }
+    match closest(word, words) {
+        Some(near) => finding.help(format!("did you mean `{near}`?")),
+        None => finding,
+    }
+}

@@ -1,0 +1,67 @@
+//! What all object statements share: binding, taking, editing, and the edits that came too late.
+
+use scenec_scene::SolidId;
+use scenec_syntax::{Space, quote};
+use scenec_text::{Code, Diagnostic, Span};
+
+use crate::names::{Binding, NameId};
+use crate::state::{Object, State};
+
+/// Binds an object's name, and reports what the old binding leaves undone.
+pub(super) fn bind(state: &mut State<'_>, id: NameId, solid: SolidId, line: Span) {
+    let entry = &mut state.objects.entries[id];
+    let name = entry.name;
+    let Some(before) = entry.bind(line, Object::new(solid, line)) else {
+        return;
+    };
+    if !before.used {
+        state.overwritten(Space::Object, name, before.line, line);
+    }
+    report_stale(state, name, &before);
+}
+
+/// Takes an object's meaning away because of an error.
+pub(super) fn poison(state: &mut State<'_>, id: NameId) {
+    let entry = &mut state.objects.entries[id];
+    let name = entry.name;
+    if let Some(before) = entry.replace(Binding::Poisoned) {
+        report_stale(state, name, &before);
+    }
+}
+
+/// An object as it stands on `line`, for a combination or a submission.
+pub(super) fn take(state: &mut State<'_>, id: NameId, line: Span) -> Option<SolidId> {
+    let object = state.objects.entries[id].bound_mut()?;
+    object.used = true;
+    object.frozen = true;
+    object.taken = Some(line);
+    object.stale.clear();
+    Some(object.solid)
+}
+
+/// Notes an edit, which is lost if nothing takes the object again.
+pub(super) fn edited(object: &mut Object, line: Span) {
+    if object.taken.is_some() {
+        object.stale.push(line);
+    }
+}
+
+/// Warns about each edit of an object that came after the last combination took it.
+pub(crate) fn report_stale(state: &mut State<'_>, name: &str, object: &Object) {
+    let Some(taken) = object.taken else {
+        return;
+    };
+    let name = quote(&format!("!{name}"));
+    for edit in &object.stale {
+        state.report(
+            Diagnostic::new(
+                Code::OperandEdited,
+                format!("this edit of {name} reaches no combination"),
+                *edit,
+                "the edited object is never taken",
+            )
+            .label(taken, format!("{name} was taken here as it stood"))
+            .help("move the edit before the combination, or combine again after it"),
+        );
+    }
+}

@@ -1,0 +1,36 @@
+//! `x := v`
+
+use scenec_syntax::{Space, Value};
+use scenec_text::Span;
+
+use crate::Role;
+use crate::names::Binding;
+use crate::state::{Gap, State, Variable};
+
+pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, value: Value) {
+    let id = state
+        .variables
+        .mention(state.text, name, Role::Define, &mut state.symbols);
+    let number = state.numbers(&[value]);
+    let entry = &mut state.variables.entries[id];
+    match number {
+        Ok([number]) => {
+            let last_read = entry.bound().and_then(|variable| variable.last_read);
+            let variable = Variable {
+                value: number,
+                written: value.span,
+                line,
+                used: false,
+                last_read,
+            };
+            if let Some(before) = entry.bind(line, variable)
+                && !before.used
+            {
+                let name = entry.name;
+                state.overwritten(Space::Variable, name, before.line, line);
+            }
+        }
+        Err(Gap::Unknown) => entry.ignored = Some(line),
+        Err(Gap::Poisoned) => entry.binding = Binding::Poisoned,
+    }
+}

@@ -1,0 +1,86 @@
+//! The symbol table: every name of a file and every place where it stands.
+
+use scenec_syntax::Space;
+use scenec_text::Span;
+
+/// Number of a symbol in its table.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct SymbolId(pub u32);
+
+/// A name in a name space.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Symbol {
+    /// Its name space.
+    pub space: Space,
+    /// The name as it first stands in the file, without a sigil.
+    pub name: Span,
+}
+
+/// What a statement does with a name.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Role {
+    /// Binds it, or would if the statement were not ignored.
+    Define,
+    /// Changes what it is bound to: a transform, or the material of an object.
+    Edit,
+    /// Reads it.
+    Use,
+}
+
+/// A place where a name stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Occurrence {
+    /// The name without a sigil.
+    pub span: Span,
+    /// Which name.
+    pub symbol: SymbolId,
+    /// What the statement does with it.
+    pub role: Role,
+}
+
+/// Every name of a file. Lines that fit no statement are left out.
+#[derive(Clone, Debug, Default)]
+pub struct SymbolTable {
+    symbols: Vec<Symbol>,
+    occurrences: Vec<Occurrence>,
+}
+
+impl SymbolTable {
+    /// The symbols in the order in which they first stand in the file; a [`SymbolId`] is an index into them.
+    #[must_use]
+    pub fn symbols(&self) -> &[Symbol] {
+        &self.symbols
+    }
+
+    /// Every occurrence of every symbol, in the order of the file.
+    #[must_use]
+    pub fn occurrences(&self) -> &[Occurrence] {
+        &self.occurrences
+    }
+
+    /// The name at an offset; one just behind a name counts, as a text cursor there does.
+    #[must_use]
+    pub fn at(&self, offset: u32) -> Option<Occurrence> {
+        let after = self.occurrences.partition_point(|place| place.span.start <= offset);
+        let place = *self.occurrences.get(after.checked_sub(1)?)?;
+        (offset <= place.span.end).then_some(place)
+    }
+
+    /// Every place where a symbol stands, in the order of the file.
+    pub fn places(&self, symbol: SymbolId) -> impl Iterator<Item = Occurrence> + '_ {
+        self.occurrences
+            .iter()
+            .copied()
+            .filter(move |place| place.symbol == symbol)
+    }
+
+    pub(crate) fn add(&mut self, space: Space, name: Span) -> SymbolId {
+        let id = SymbolId(u32::try_from(self.symbols.len()).unwrap_or(u32::MAX));
+        self.symbols.push(Symbol { space, name });
+        id
+    }
+
+    pub(crate) fn record(&mut self, symbol: SymbolId, span: Span, role: Role) {
+        self.occurrences.push(Occurrence { span, symbol, role });
+    }
+}
