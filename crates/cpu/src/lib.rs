@@ -1,1 +1,141 @@
-//! placeholder
+//! The embedded tracer: from a plan to pixels on this processor, in f32 or f64, on all its threads.
+//!
+//! It must not know OpenCL or the scene model. The kernels of the device tracer follow the same algorithm step by step.
+
+mod dispatch;
+mod event;
+mod hierarchy;
+mod path;
+mod pixel;
+mod ray;
+mod shade;
+mod shape;
+mod vector;
+
+use std::ops::Range;
+
+use rayon::ThreadPool;
+use rayon::prelude::*;
+use scenec_picture::{Exact, Frame, NOTHING, Picture, Request, Stats, TraceError, Tracer};
+use scenec_plan::{Packed, Plan, Real};
+
+use pixel::Pixel;
+
+/// Rows of a picture are handed to threads in runs of about this many pixels, so that progress and a stop are noticed
+/// soon and yet handing out costs nothing.
+const RUN: usize = 1024;
+
+/// Traces one plan in the precision `R`.
+pub struct Cpu<R> {
+    scene: Packed<R>,
+    threads: ThreadPool,
+}
+
+impl<R: Real> Cpu<R> {
+    /// A tracer for a plan; `threads` = 0 takes as many as the machine has.
+    ///
+    /// # Errors
+    /// `Failed` if the threads can't be started.
+    pub fn new(plan: &Plan, threads: usize) -> Result<Self, TraceError> {
+        let threads = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .map_err(|error| TraceError::Failed(format!("no threads to trace on: {error}")))?;
+        Ok(Self {
+            scene: plan.packed(),
+            threads,
+        })
+    }
+}
+
+impl<R: Real> Tracer for Cpu<R> {
+    fn name(&self) -> String {
+        let threads = self.threads.current_num_threads();
+        format!(
+            "cpu {}, {threads} thread{}",
+            R::NAME,
+            if threads == 1 { "" } else { "s" }
+        )
+    }
+
+    fn trace(&mut self, request: &Request<'_>) -> Result<Frame, TraceError> {
+        let window = request.window;
+        let mut picture = Picture::black(window.width, window.height)?;
+        let count = picture.pixels().len();
+        let mut ids = request.layers.ids.then(|| vec![NOTHING; count]);
+        let mut exact = request.layers.exact.then(|| vec![[0.0; 3]; count]);
+
+        let frame = &mut self.scene.frame;
+        (frame.window_x, frame.window_y) = (window.x, window.y);
+        (frame.window_width, frame.window_height) = (window.width, window.height);
+        frame.cutoff = R::of(request.limits.cutoff);
+        frame.ray_budget = request.limits.ray_budget.max(1);
+
+        let scene = &self.scene;
+        let runs = runs(picture.pixels_mut(), ids.as_mut(), exact.as_mut());
+        let stats = self.threads.install(|| {
+            runs.into_par_iter()
+                .map(|run| {
+                    if request.watch.stopped() {
+                        return None;
+                    }
+                    let mut pixels = vec![Pixel::default(); run.picture.len()];
+                    let stats = dispatch::trace_run(scene, run.range.clone(), &mut pixels);
+                    run.store(&pixels);
+                    request.watch.advance(pixels.len() as u64);
+                    Some(stats)
+                })
+                .try_reduce(Stats::default, |a, b| Some(a.merge(b)))
+        });
+        let stats = stats.ok_or(TraceError::Cancelled)?;
+        Ok(Frame {
+            picture,
+            ids,
+            exact,
+            paths: None,
+            stats,
+        })
+    }
+}
+
+/// A run of pixels and where they go.
+struct Run<'a> {
+    range: Range<usize>,
+    picture: &'a mut [[f32; 3]],
+    ids: Option<&'a mut [u32]>,
+    exact: Option<&'a mut [[f64; 3]]>,
+}
+
+fn runs<'a>(picture: &'a mut [[f32; 3]], ids: Option<&'a mut Vec<u32>>, exact: Option<&'a mut Exact>) -> Vec<Run<'a>> {
+    let mut ids = ids.map(|ids| ids.chunks_mut(RUN));
+    let mut exact = exact.map(|exact| exact.chunks_mut(RUN));
+    picture
+        .chunks_mut(RUN)
+        .enumerate()
+        .map(|(i, picture)| Run {
+            range: i * RUN..i * RUN + picture.len(),
+            picture,
+            ids: ids.as_mut().and_then(Iterator::next),
+            exact: exact.as_mut().and_then(Iterator::next),
+        })
+        .collect()
+}
+
+/// The nearest finite single: colours beyond the range of the picture's numbers end at its bounds.
+fn finite<R: Real>(value: R) -> f32 {
+    value.to_f32().clamp(f32::MIN, f32::MAX)
+}
+
+impl Run<'_> {
+    fn store<R: Real>(self, pixels: &[Pixel<R>]) {
+        for (to, pixel) in self.picture.iter_mut().zip(pixels) {
+            *to = pixel.colour.map(finite);
+        }
+        for (to, pixel) in self.ids.into_iter().flatten().zip(pixels) {
+            *to = pixel.solid;
+        }
+        for (to, pixel) in self.exact.into_iter().flatten().zip(pixels) {
+            *to = pixel.colour.map(R::to_f64);
+        }
+    }
+}

@@ -7,6 +7,7 @@
 
 use crate::error::DeviceError;
 use ocl::core::{self, CommandQueue, Context, Event, Kernel, Mem, MemFlags};
+use scenec_plan::packed_structs;
 use std::slice;
 
 /// What may be copied to a device and back as it lies in memory.
@@ -27,6 +28,15 @@ plain_numbers! { u8 u16 u32 u64 i8 i16 i32 i64 f32 f64 }
 
 // SAFETY: an array lays its elements side by side.
 unsafe impl<T: Plain, const N: usize> Plain for [T; N] {}
+
+macro_rules! plain_structs {
+    ($($name:ident $(<$real:ident>)?,)*) => {
+        // SAFETY: the plan declares them `repr(C)`, refuses padding when it compiles, and all their fields are numbers.
+        $(unsafe impl $(<$real: Plain>)? Plain for packed_structs::$name $(<$real>)? {})*
+    };
+}
+
+plain_structs! { Shape<R>, Leaf, Island, Node, Material<R>, Light<R>, Outcome<R>, Frame<R>, }
 
 /// Elements as bytes.
 pub(crate) fn bytes<T: Plain>(items: &[T]) -> &[u8] {

@@ -2,6 +2,7 @@
 //!
 //! This crate alone talks to OpenCL. It knows plans and pictures, but no scene and no syntax.
 
+mod assemble;
 mod buffer;
 mod calls;
 mod discover;
@@ -10,7 +11,9 @@ mod info;
 mod program;
 mod select;
 mod session;
+mod tracer;
 
+pub use assemble::{Precision, options, probe, source};
 pub use buffer::{Arg, Buffer};
 pub use calls::Plain;
 pub use discover::{Discovery, discover};
@@ -19,3 +22,4 @@ pub use info::{DeviceInfo, DeviceKind};
 pub use program::Program;
 pub use select::{gpu, is_opencl, select};
 pub use session::Session;
+pub use tracer::tracer;

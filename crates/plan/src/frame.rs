@@ -135,9 +135,15 @@ fn sample_points(count: u32) -> Vec<[f64; 2]> {
 }
 
 pub(crate) fn lamps(scene: &Scene, place: &Place) -> Vec<Lamp> {
-    let lamp = |light: &scenec_scene::Light| Lamp {
-        position: (light.position - place.origin) * place.scale,
-        colour: light.colour,
+    let lamp = |light: &scenec_scene::Light| {
+        // Beyond 2^100 times the scene's size all its points see a light in the same direction; nearer, it is in the
+        // range of single precision.
+        let position = (light.position - place.origin) * place.scale;
+        let position = position * (100.0_f64.exp2() / position.abs().max_element()).min(1.0);
+        Lamp {
+            position,
+            colour: light.colour,
+        }
     };
     // A black light adds nothing, wherever it stands.
     scene

@@ -153,7 +153,7 @@ impl Plan {
     pub fn holds(&self, point: DVec3) -> bool {
         self.islands.iter().any(|island| {
             island.bounds.holds(point)
-                && program::evaluate(self.program_of(island), |local| {
+                && program::evaluate(self.program_of(island).iter().copied(), |local| {
                     self.member(island, local)
                         .is_some_and(|leaf| self.shapes[leaf.shape as usize].holds(point))
                 })

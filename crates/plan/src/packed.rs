@@ -211,6 +211,25 @@ packed! {
         /// Its colour.
         colour: [R; 3],
     }
+    /// What a device says of one pixel.
+    Outcome<R> {
+        /// The mean of the samples.
+        colour: [R; 3],
+        /// The most that the dropped branches could have added.
+        dropped: R,
+        /// The number of the solid that the first sample hits.
+        solid: u32,
+        /// Rays from the eye.
+        primary: u32,
+        /// Rays towards lights.
+        shadow: u32,
+        /// Rays off a mirror.
+        reflected: u32,
+        /// Rays through a surface.
+        refracted: u32,
+        /// 1 if the ray budget was met.
+        over: u32,
+    }
     /// Everything there is one of.
     Frame<R> {
         /// Where the camera stands.

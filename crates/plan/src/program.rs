@@ -38,7 +38,7 @@ impl Instruction {
 /// Runs a program. The heavier operand comes first in it, so a tree of n leaves needs at most 1 + log2 n bits, and a
 /// program has at most [`crate::MAX_PROGRAM`] leaves: 25 bits of the 32.
 #[inline(always)]
-pub fn evaluate(program: &[Instruction], mut holds: impl FnMut(u32) -> bool) -> bool {
+pub fn evaluate(program: impl IntoIterator<Item = Instruction>, mut holds: impl FnMut(u32) -> bool) -> bool {
     let mut bits = 0_u32;
     for instruction in program {
         match instruction.0 >> OPERATION_SHIFT {
@@ -64,7 +64,7 @@ mod tests {
 
     fn check(program: &[Instruction], members: &[bool], expect: bool) {
         assert_eq!(
-            evaluate(program, |local| members[local as usize]),
+            evaluate(program.iter().copied(), |local| members[local as usize]),
             expect,
             "{program:?} {members:?}"
         );

@@ -1,0 +1,142 @@
+//! Where a ray crosses the surface of one island: the next distance at which the island's truth changes.
+
+use scenec_plan::packed_structs::Island;
+use scenec_plan::{Instruction, Packed, Real, evaluate};
+
+use crate::ray::Ray;
+use crate::shape::{Interval, interval};
+
+/// A crossing.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hit<R> {
+    /// Along the ray.
+    pub(crate) distance: R,
+    /// The leaf that owns the surface there.
+    pub(crate) leaf: u32,
+    /// Whether the ray leaves that leaf (not: the solid).
+    pub(crate) leaving: bool,
+}
+
+/// Room that one thread uses again and again.
+pub(crate) struct Scratch<R> {
+    intervals: Vec<Interval<R>>,
+}
+
+impl<R> Scratch<R> {
+    pub(crate) const fn new() -> Self {
+        Self { intervals: Vec::new() }
+    }
+}
+
+/// The intervals of one island's members along one ray.
+pub(crate) struct Crossings<'a, R> {
+    scene: &'a Packed<R>,
+    island: &'a Island,
+    intervals: &'a [Interval<R>],
+}
+
+impl<'a, R: Real> Crossings<'a, R> {
+    #[inline(always)]
+    pub(crate) fn new(scene: &'a Packed<R>, island: &'a Island, ray: &Ray<R>, scratch: &'a mut Scratch<R>) -> Self {
+        let members = &scene.members[island.members as usize..island.members_end as usize];
+        scratch.intervals.clear();
+        scratch.intervals.extend(members.iter().map(|leaf| {
+            let leaf = &scene.leaves[*leaf as usize];
+            interval(&scene.shapes[leaf.shape as usize], ray)
+        }));
+        Self {
+            scene,
+            island,
+            intervals: &scratch.intervals,
+        }
+    }
+
+    /// Whether the island holds the ray at `distance`: each member counts from its first distance up to, not including,
+    /// its last.
+    #[inline(always)]
+    pub(crate) fn holds(&self, distance: R) -> bool {
+        self.truth(distance, u32::MAX)
+    }
+
+    /// The first change after `from` and not after `until`, of a ray that is inside (or not) to begin with. Where the
+    /// intervals say otherwise at `from`, the start lies within rounding of another surface: the ray is followed to
+    /// where they agree, and that first run counts for nothing.
+    #[inline(always)]
+    pub(crate) fn change(&self, from: R, until: R, inside: bool) -> Option<Hit<R>> {
+        let mut at = from;
+        let mut settled = self.holds(at) == inside;
+        loop {
+            let mut next = R::INFINITY;
+            for &(enter, leave) in self.intervals {
+                if enter < leave {
+                    if enter > at && enter < next {
+                        next = enter;
+                    }
+                    if leave > at && leave < next {
+                        next = leave;
+                    }
+                }
+            }
+            if next > until || next == R::INFINITY {
+                return None;
+            }
+            at = next;
+            let now = self.holds(at);
+            if settled && now != inside {
+                return Some(self.owner(at, now));
+            }
+            settled = settled || now == inside;
+        }
+    }
+
+    /// Of the members that change at a distance where the island does, the leftmost whose change matters by itself;
+    /// where none does (they change together), the leftmost.
+    #[inline(always)]
+    fn owner(&self, distance: R, now: bool) -> Hit<R> {
+        let mut found = None;
+        for (local, &(enter, leave)) in self.intervals.iter().enumerate() {
+            if enter < leave && (enter == distance || leave == distance) {
+                let leaf = self.scene.members[self.island.members as usize + local];
+                let hit = Hit {
+                    distance,
+                    leaf,
+                    leaving: leave == distance,
+                };
+                if found.is_none() {
+                    found = Some(hit);
+                }
+                if self.truth(distance, local as u32) != now {
+                    found = Some(hit);
+                    break;
+                }
+            }
+        }
+        // A change happens at some member's end, so one was found.
+        found.unwrap_or(Hit {
+            distance,
+            leaf: self.scene.members[self.island.members as usize],
+            leaving: false,
+        })
+    }
+
+    /// The island's truth at a distance with one member's truth turned over; no member has the number `u32::MAX`.
+    #[inline(always)]
+    fn truth(&self, distance: R, turned: u32) -> bool {
+        let holds = |local: u32| {
+            let (enter, leave) = self.intervals[local as usize];
+            (enter <= distance && distance < leave) != (local == turned)
+        };
+        let program = &self.scene.program[self.island.program as usize..self.island.program_end as usize];
+        // A single member is most of all islands.
+        if let [_] = program {
+            holds(0)
+        } else {
+            evaluate_packed(program, holds)
+        }
+    }
+}
+
+#[inline(always)]
+fn evaluate_packed(program: &[u32], holds: impl FnMut(u32) -> bool) -> bool {
+    evaluate(program.iter().map(|word| Instruction(*word)), holds)
+}

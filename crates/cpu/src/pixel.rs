@@ -1,0 +1,89 @@
+//! From a pixel to its rays and back to one colour.
+
+use std::ops::Range;
+
+use scenec_picture::{NOTHING, Stats};
+use scenec_plan::packed_structs::Frame;
+use scenec_plan::{Packed, Real};
+
+use crate::path::{Spent, Walker};
+use crate::ray::{NO_CLASS, Ray};
+use crate::vector::{Vector, fma, normalize, scale};
+
+/// A traced pixel.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pixel<R> {
+    /// The mean of its samples.
+    pub(crate) colour: Vector<R>,
+    /// The solid that its first sample hits.
+    pub(crate) solid: u32,
+}
+
+impl<R: Real> Default for Pixel<R> {
+    fn default() -> Self {
+        Self {
+            colour: [R::ZERO; 3],
+            solid: NOTHING,
+        }
+    }
+}
+
+/// Traces the pixels with these numbers, counted row by row within the window.
+#[inline(always)]
+pub(crate) fn trace_run<R: Real>(scene: &Packed<R>, range: Range<usize>, pixels: &mut [Pixel<R>]) -> Stats {
+    let mut walker = Walker::new(scene);
+    let mut stats = Stats::default();
+    let columns = scene.frame.window_width as usize;
+    let share = R::ONE / R::of(f64::from(scene.frame.samples));
+    for (number, pixel) in range.zip(pixels) {
+        let column = scene.frame.window_x + (number % columns) as u32;
+        let row = scene.frame.window_y + (number / columns) as u32;
+        let mut spent = Spent::default();
+        let mut sum = [R::ZERO; 3];
+        for (k, point) in scene.samples.iter().enumerate() {
+            if spent.rays >= scene.frame.ray_budget {
+                spent.dropped += scene.reach[scene.frame.raydepth as usize];
+                spent.over = true;
+                continue;
+            }
+            spent.rays += 1;
+            stats.primary += 1;
+            let (colour, solid) = walker.walk(ray(&scene.frame, column, row, point), &mut spent);
+            sum = fma(colour, R::ONE, sum);
+            if k == 0 {
+                pixel.solid = solid;
+            }
+        }
+        pixel.colour = if scene.samples.len() == 1 {
+            sum
+        } else {
+            scale(sum, share)
+        };
+        stats.dropped = stats.dropped.max((spent.dropped * share).to_f64());
+        stats.over_budget += u64::from(spent.over);
+    }
+    stats.shadow = walker.tally.shadow;
+    stats.reflected = walker.tally.reflected;
+    stats.refracted = walker.tally.refracted;
+    stats
+}
+
+/// The ray from the eye through a point of a pixel, measured from the pixel's centre. The whole part of the position is
+/// an integer that is exact in single precision.
+#[inline(always)]
+fn ray<R: Real>(frame: &Frame<R>, column: u32, row: u32, point: &[R; 2]) -> Ray<R> {
+    let place = |index: u32, count: u32, offset: R| {
+        let whole = R::of(2.0 * f64::from(index) + 1.0 - f64::from(count));
+        (whole + R::TWO * offset) / R::of(f64::from(count))
+    };
+    let x = place(column, frame.width, point[0]);
+    let y = -place(row, frame.height, point[1]);
+    let direction = fma(frame.up, y, fma(frame.right, x, frame.forward));
+    Ray {
+        origin: frame.eye,
+        direction: normalize(direction),
+        local: [R::ZERO; 3],
+        class: NO_CLASS,
+        inside: frame.inside != 0,
+    }
+}

@@ -1,0 +1,102 @@
+//! The program's text: the precision, the scene's features, the shared structs, and the kernels.
+//!
+//! This is the only place that writes a `#define`.
+
+use std::fmt::Write;
+
+use scenec_kernels::{Piece, TRACER};
+use scenec_plan::{Features, FieldKind, LAYOUTS, Layout};
+
+use crate::info::DeviceInfo;
+
+/// The number that the kernels compute in.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Precision {
+    /// Singles: every device has them.
+    F32,
+    /// Doubles, where the device has them.
+    F64,
+}
+
+impl Precision {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::F64 => "f64",
+        }
+    }
+}
+
+impl std::fmt::Display for Precision {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// The source of the tracer for scenes with these features.
+#[must_use]
+pub fn source(precision: Precision, features: &Features) -> String {
+    let mut text = prelude(precision);
+    for (name, value) in features.list() {
+        // Writing to a string does not fail.
+        let _ = writeln!(text, "#define {name} {value}");
+    }
+    for Piece { name, text: piece } in TRACER {
+        let _ = write!(text, "#line 1 \"{name}\"\n{piece}");
+    }
+    text
+}
+
+/// The source of a kernel that writes, for each shared struct, its size and then the offset of each field.
+#[must_use]
+pub fn probe(precision: Precision) -> String {
+    let mut text = prelude(precision);
+    text.push_str("__kernel void probe(__global uint *out) {\n    uint i = 0;\n");
+    for Layout { name, fields } in LAYOUTS {
+        let _ = writeln!(text, "    {{ {name} s; out[i++] = sizeof(s);");
+        for field in *fields {
+            let _ = writeln!(text, "    out[i++] = (uint)((size_t)&s.{} - (size_t)&s);", field.name);
+        }
+        text.push_str("    }\n");
+    }
+    text.push_str("}\n");
+    text
+}
+
+/// How the compiler is asked to work. Nothing that trades accuracy for speed: infinite ends of intervals and the tests for
+/// NaN must mean what they say.
+#[must_use]
+pub fn options(info: &DeviceInfo, precision: Precision) -> String {
+    let exact = precision == Precision::F32 && info.exact_divide;
+    let divide = if exact {
+        " -cl-fp32-correctly-rounded-divide-sqrt"
+    } else {
+        ""
+    };
+    format!("-cl-std=CL1.2 -cl-denorms-are-zero{divide}")
+}
+
+fn prelude(precision: Precision) -> String {
+    // A compiler that fuses on its own would fuse differently in a specialised program than in the general one.
+    let mut text = String::from("#pragma OPENCL FP_CONTRACT OFF\n");
+    text.push_str(match precision {
+        Precision::F32 => "typedef float real;\n#define REAL_EPSILON FLT_EPSILON\n",
+        Precision::F64 => {
+            "#pragma OPENCL EXTENSION cl_khr_fp64 : enable\ntypedef double real;\n#define REAL_EPSILON DBL_EPSILON\n"
+        }
+    });
+    for Layout { name, fields } in LAYOUTS {
+        text.push_str("typedef struct {\n");
+        for field in *fields {
+            let kind = match field.kind {
+                FieldKind::Real => "real",
+                FieldKind::Float => "float",
+                FieldKind::Uint => "uint",
+            };
+            let count = field.count.map(|count| format!("[{count}]")).unwrap_or_default();
+            let _ = writeln!(text, "    {kind} {}{count};", field.name);
+        }
+        let _ = writeln!(text, "}} {name};");
+    }
+    text
+}

@@ -1,0 +1,134 @@
+/* Where a ray crosses the surface of one island: the next distance at which the island's truth changes. */
+
+#define OPERATION_SHIFT 29
+
+/* A crossing, or nothing if `leaf` is NOTHING. `leaving` tells of the leaf, not of the solid. */
+typedef struct {
+    real distance;
+    uint leaf;
+    bool leaving;
+} Hit;
+
+/* The members' intervals along one ray: kept where there is room, else computed anew each time. */
+typedef struct {
+    const Scene *scene;
+    __global const Island *island;
+    const Ray *ray;
+#if MEMBERS
+    Interval kept[MEMBERS];
+#endif
+} Crossings;
+
+Hit no_hit(void) {
+    Hit hit;
+    hit.distance = (real)INFINITY;
+    hit.leaf = NOTHING;
+    hit.leaving = false;
+    return hit;
+}
+
+uint member_leaf(const Crossings *crossings, uint local) {
+    return crossings->scene->members[crossings->island->members + local];
+}
+
+uint member_count(const Crossings *crossings) {
+    return crossings->island->members_end - crossings->island->members;
+}
+
+Interval computed(const Crossings *crossings, uint local) {
+    const Scene *scene = crossings->scene;
+    return shape_interval(scene->shapes + scene->leaves[member_leaf(crossings, local)].shape, crossings->ray);
+}
+
+#if MEMBERS
+#define MEMBER(crossings, local) ((crossings)->kept[local])
+#else
+#define MEMBER(crossings, local) computed(crossings, local)
+#endif
+
+void cross(Crossings *crossings, const Scene *scene, __global const Island *island, const Ray *ray) {
+    crossings->scene = scene;
+    crossings->island = island;
+    crossings->ray = ray;
+#if MEMBERS
+    for (uint local = 0; local < member_count(crossings); ++local)
+        crossings->kept[local] = computed(crossings, local);
+#endif
+}
+
+bool holds_member(const Crossings *crossings, uint local, real distance) {
+    Interval i = MEMBER(crossings, local);
+    return i.enter <= distance && distance < i.leave;
+}
+
+/* The island's truth at a distance with one member's truth turned over; no member has the number NOTHING. */
+bool truth(const Crossings *crossings, real distance, uint turned) {
+#if PROGRAMS
+    uint bits = 0;
+    for (uint at = crossings->island->program; at < crossings->island->program_end; ++at) {
+        uint instruction = crossings->scene->program[at];
+        uint operation = instruction >> OPERATION_SHIFT;
+        if (operation == 0) {
+            bits = bits << 1 | (holds_member(crossings, instruction, distance) != (instruction == turned));
+        } else {
+            uint top = bits & 1, below = bits >> 1 & 1;
+            uint joined = operation == 1   ? below | top
+                          : operation == 2 ? below & top
+                          : operation == 3 ? below & ~top
+                                           : top & ~below;
+            bits = bits >> 2 << 1 | (joined & 1);
+        }
+    }
+    return bits & 1;
+#else
+    return holds_member(crossings, 0, distance) != (turned == 0);
+#endif
+}
+
+bool holds(const Crossings *crossings, real distance) { return truth(crossings, distance, NOTHING); }
+
+/* Of the members that end where the island changes, the leftmost whose change matters by itself; where none does, the
+   leftmost. */
+Hit owner(const Crossings *crossings, real distance, bool now) {
+    Hit found = no_hit();
+    for (uint local = 0; local < member_count(crossings); ++local) {
+        Interval i = MEMBER(crossings, local);
+        if (i.enter < i.leave && (i.enter == distance || i.leave == distance)) {
+            bool matters = truth(crossings, distance, local) != now;
+            if (matters || found.leaf == NOTHING) {
+                found.distance = distance;
+                found.leaf = member_leaf(crossings, local);
+                found.leaving = i.leave == distance;
+            }
+            if (matters)
+                break;
+        }
+    }
+    return found;
+}
+
+/* The first change after `from` and not after `until`, of a ray that is inside (or not) to begin with. A start within
+   rounding of another surface is followed to where the intervals agree with `inside`. */
+Hit change(const Crossings *crossings, real from, real until, bool inside) {
+    real at = from;
+    bool settled = holds(crossings, at) == inside;
+    for (;;) {
+        real next = (real)INFINITY;
+        for (uint local = 0; local < member_count(crossings); ++local) {
+            Interval i = MEMBER(crossings, local);
+            if (i.enter < i.leave) {
+                if (i.enter > at && i.enter < next)
+                    next = i.enter;
+                if (i.leave > at && i.leave < next)
+                    next = i.leave;
+            }
+        }
+        if (next > until || isinf(next))
+            return no_hit();
+        at = next;
+        bool now = holds(crossings, at);
+        if (settled && now != inside)
+            return owner(crossings, at, now);
+        settled = settled || now == inside;
+    }
+}

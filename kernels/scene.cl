@@ -1,0 +1,28 @@
+/* What every part of the tracer reads, and the ray. */
+
+#define NOTHING UINT_MAX
+#define ROUNDOFF (REAL_EPSILON / (real)2)
+
+typedef struct {
+    __global const Frame *frame;
+    __global const Shape *shapes;
+    __global const Leaf *leaves;
+    __global const Island *islands;
+    __global const uint *program;
+    __global const uint *members;
+    __global const Node *nodes;
+    __global const Material *materials;
+    __global const Light *lights;
+    __global const real *samples;
+    __global const real *reach;
+} Scene;
+
+/* A half-line of unit direction, with what is known exactly about its start: the class of the surface that it starts on
+   (NOTHING for the eye) and the start on that surface's own unit sphere. */
+typedef struct {
+    Vector origin;
+    Vector direction;
+    Vector local;
+    uint class;
+    bool inside;
+} Ray;

@@ -1,0 +1,83 @@
+/* The entry points. */
+
+/* The ray through a point of a pixel, measured from the pixel's centre. */
+Ray camera_ray(__global const Frame *frame, uint column, uint row, real right, real down) {
+    /* The whole part of the position is an integer that is exact in single precision. */
+    real x = ((real)((int)(2 * column + 1) - (int)frame->width) + (real)2 * right) / (real)frame->width;
+    real y = -(((real)((int)(2 * row + 1) - (int)frame->height) + (real)2 * down) / (real)frame->height);
+    Ray ray;
+    ray.origin = load(frame->eye);
+    ray.direction = unit(scale_add(load(frame->up), y, scale_add(load(frame->right), x, load(frame->forward))));
+    ray.local = vector(0, 0, 0);
+    ray.class = NOTHING;
+    ray.inside = frame->inside != 0;
+    return ray;
+}
+
+/* Traces the window's rows from `first_row` up to, not including, `end_row`; outcomes are counted from there. */
+__kernel void trace(__global const Frame *frame, __global const Shape *shapes, __global const Leaf *leaves,
+                    __global const Island *islands, __global const uint *program, __global const uint *members,
+                    __global const Node *nodes, __global const Material *materials, __global const Light *lights,
+                    __global const real *samples, __global const real *reach, __global Outcome *outcomes,
+                    uint first_row, uint end_row) {
+    uint column = get_global_id(0);
+    uint row = first_row + get_global_id(1);
+    if (column >= frame->window_width || row >= end_row)
+        return;
+    Scene scene;
+    scene.frame = frame;
+    scene.shapes = shapes;
+    scene.leaves = leaves;
+    scene.islands = islands;
+    scene.program = program;
+    scene.members = members;
+    scene.nodes = nodes;
+    scene.materials = materials;
+    scene.lights = lights;
+    scene.samples = samples;
+    scene.reach = reach;
+
+    Spent spent;
+    spent.rays = 0;
+    spent.dropped = 0;
+    spent.over = false;
+    spent.shadow = spent.reflected = spent.refracted = 0;
+    Vector sum = vector(0, 0, 0);
+    uint solid = NOTHING, primary = 0;
+#if SUPERSAMPLING
+    uint count = frame->samples;
+#else
+    uint count = 1;
+#endif
+    for (uint k = 0; k < count; ++k) {
+        if (spent.rays >= frame->ray_budget) {
+            spent.dropped += reach[frame->raydepth];
+            spent.over = true;
+            continue;
+        }
+        spent.rays += 1;
+        primary += 1;
+        uint hit;
+        Ray ray = camera_ray(frame, frame->window_x + column, frame->window_y + row, samples[2 * k], samples[2 * k + 1]);
+        sum = add(sum, walk(&scene, ray, &spent, &hit));
+        if (k == 0)
+            solid = hit;
+    }
+#if SUPERSAMPLING
+    real share = (real)1 / (real)count;
+    if (count > 1)
+        sum = scale(sum, share);
+    spent.dropped *= share;
+#endif
+    __global Outcome *outcome = outcomes + (row - first_row) * frame->window_width + column;
+    outcome->colour[0] = sum.x;
+    outcome->colour[1] = sum.y;
+    outcome->colour[2] = sum.z;
+    outcome->dropped = spent.dropped;
+    outcome->solid = solid;
+    outcome->primary = primary;
+    outcome->shadow = spent.shadow;
+    outcome->reflected = spent.reflected;
+    outcome->refracted = spent.refracted;
+    outcome->over = spent.over;
+}
