@@ -1,2 +1,30 @@
-//! placeholder
-fn main() {}
+//! The command line: `scenec check`, and one file in `commands/` for every other subcommand.
+
+mod commands;
+mod exit;
+mod input;
+mod report;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Check and render scene files.
+#[derive(Parser)]
+#[command(version, propagate_version = true, arg_required_else_help = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Check(commands::check::Check),
+}
+
+fn main() -> ExitCode {
+    let exit = match Arguments::parse().command {
+        Command::Check(check) => check.run(),
+    };
+    exit.into()
+}

@@ -1,0 +1,35 @@
+//! Reading scene files, or standard input.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use scenec_text::{Diagnostic, MAX_FILE_BYTES, SourceFile};
+
+/// Reads a file, or standard input where the path is `-`, with a finding for each run of bytes that is no UTF-8.
+///
+/// # Errors
+/// A sentence for the user: the file can't be opened or read, is a directory, or is too large.
+pub(crate) fn read(path: &Path) -> Result<(SourceFile, Vec<Diagnostic>), String> {
+    let standard = path.as_os_str() == "-";
+    let name = if standard {
+        "<stdin>".into()
+    } else {
+        path.to_string_lossy()
+    };
+    let bytes = if standard {
+        read_all(io::stdin().lock())
+    } else {
+        File::open(path).and_then(read_all)
+    };
+    let bytes = bytes.map_err(|error| format!("cannot read {name}: {error}"))?;
+    let too_large = |_| format!("cannot read {name}: it has more than {MAX_FILE_BYTES} bytes");
+    SourceFile::from_bytes(name.clone(), bytes).map_err(too_large)
+}
+
+/// Everything there is, up to one byte more than a file may have.
+fn read_all(reader: impl Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    reader.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
