@@ -27,23 +27,23 @@ Hit no_hit(void) {
     return hit;
 }
 
-uint member_leaf(const Crossings *crossings, uint local) {
-    return crossings->scene->members[crossings->island->members + local];
+uint member_leaf(const Crossings *crossings, uint member) {
+    return crossings->scene->members[crossings->island->members + member];
 }
 
 uint member_count(const Crossings *crossings) {
     return crossings->island->members_end - crossings->island->members;
 }
 
-Interval computed(const Crossings *crossings, uint local) {
+Interval computed(const Crossings *crossings, uint member) {
     const Scene *scene = crossings->scene;
-    return shape_interval(scene->shapes + scene->leaves[member_leaf(crossings, local)].shape, crossings->ray);
+    return shape_interval(scene->shapes + scene->leaves[member_leaf(crossings, member)].shape, crossings->ray);
 }
 
 #if MEMBERS
-#define MEMBER(crossings, local) ((crossings)->kept[local])
+#define MEMBER(crossings, member) ((crossings)->kept[member])
 #else
-#define MEMBER(crossings, local) computed(crossings, local)
+#define MEMBER(crossings, member) computed(crossings, member)
 #endif
 
 void cross(Crossings *crossings, const Scene *scene, __global const Island *island, const Ray *ray) {
@@ -51,13 +51,13 @@ void cross(Crossings *crossings, const Scene *scene, __global const Island *isla
     crossings->island = island;
     crossings->ray = ray;
 #if MEMBERS
-    for (uint local = 0; local < member_count(crossings); ++local)
-        crossings->kept[local] = computed(crossings, local);
+    for (uint member = 0; member < member_count(crossings); ++member)
+        crossings->kept[member] = computed(crossings, member);
 #endif
 }
 
-bool holds_member(const Crossings *crossings, uint local, real distance) {
-    Interval i = MEMBER(crossings, local);
+bool holds_member(const Crossings *crossings, uint member, real distance) {
+    Interval i = MEMBER(crossings, member);
     return i.enter <= distance && distance < i.leave;
 }
 
@@ -91,13 +91,13 @@ bool holds(const Crossings *crossings, real distance) { return truth(crossings, 
    leftmost. */
 Hit owner(const Crossings *crossings, real distance, bool now) {
     Hit found = no_hit();
-    for (uint local = 0; local < member_count(crossings); ++local) {
-        Interval i = MEMBER(crossings, local);
+    for (uint member = 0; member < member_count(crossings); ++member) {
+        Interval i = MEMBER(crossings, member);
         if (i.enter < i.leave && (i.enter == distance || i.leave == distance)) {
-            bool matters = truth(crossings, distance, local) != now;
+            bool matters = truth(crossings, distance, member) != now;
             if (matters || found.leaf == NOTHING) {
                 found.distance = distance;
-                found.leaf = member_leaf(crossings, local);
+                found.leaf = member_leaf(crossings, member);
                 found.leaving = i.leave == distance;
             }
             if (matters)
@@ -114,8 +114,8 @@ Hit change(const Crossings *crossings, real from, real until, bool inside) {
     bool settled = holds(crossings, at) == inside;
     for (;;) {
         real next = (real)INFINITY;
-        for (uint local = 0; local < member_count(crossings); ++local) {
-            Interval i = MEMBER(crossings, local);
+        for (uint member = 0; member < member_count(crossings); ++member) {
+            Interval i = MEMBER(crossings, member);
             if (i.enter < i.leave) {
                 if (i.enter > at && i.enter < next)
                     next = i.enter;

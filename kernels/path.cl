@@ -44,7 +44,7 @@ bool spawn(const Scene *scene, const Branch *parent, const Contact *contact, rea
     spent->rays += 1;
     branch->ray.origin = contact->point;
     branch->ray.direction = direction;
-    branch->ray.local = contact->local;
+    branch->ray.place = contact->place;
     branch->ray.class = contact->class;
     branch->ray.inside = inside;
     return true;

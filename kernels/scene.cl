@@ -22,7 +22,7 @@ typedef struct {
 typedef struct {
     Vector origin;
     Vector direction;
-    Vector local;
+    Vector place;
     uint class;
     bool inside;
 } Ray;

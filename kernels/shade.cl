@@ -42,7 +42,7 @@ Vector local_colour(const Scene *scene, __global const Material *material, const
         Ray shadow;
         shadow.origin = contact->point;
         shadow.direction = towards;
-        shadow.local = contact->local;
+        shadow.place = contact->place;
         shadow.class = contact->class;
         shadow.inside = ray->inside;
         *shadows += 1;

@@ -30,7 +30,7 @@ typedef struct {
 } Approach;
 
 typedef struct {
-    Vector point, local, normal;
+    Vector point, place, normal;
     uint class;
 } Contact;
 
@@ -85,7 +85,7 @@ Interval shape_interval(__global const Shape *shape, const Ray *ray) {
     if (shape->class == ray->class) {
         /* Deflation: the start lies on this sphere, so its roots are exactly 0 and -2 (p.d)/(d.d). */
         Vector direction = to_local(shape, ray->direction);
-        real towards = inner(ray->local, direction);
+        real towards = inner(ray->place, direction);
         return towards >= 0 ? interval(0, 0) : interval(0, -(towards + towards) / inner(direction, direction));
     }
     Approach a = approach(shape, ray);
@@ -103,24 +103,24 @@ Contact contact(__global const Shape *shape, const Ray *ray, real distance, bool
         /* One projection takes the rounding across the plane away. */
         real off = inner(outward, subtract(point, load(shape->centre)));
         c.point = scale_add(outward, -off, point);
-        c.local = vector(0, 0, 0);
+        c.place = vector(0, 0, 0);
         c.normal = leaving ? negated(outward) : outward;
         return c;
     }
     if (shape->class == ray->class) {
-        c.local = scale_add(to_local(shape, ray->direction), distance, ray->local);
+        c.place = scale_add(to_local(shape, ray->direction), distance, ray->place);
     } else {
         Approach a = approach(shape, ray);
-        c.local = scale_add(a.direction, leaving ? a.half_chord : -a.half_chord, a.nearest);
+        c.place = scale_add(a.direction, leaving ? a.half_chord : -a.half_chord, a.nearest);
     }
-    c.local = unit(c.local);
-    Vector outward = c.local;
+    c.place = unit(c.place);
+    Vector outward = c.place;
     Vector world;
     if (IS_BALL(shape)) {
-        world = scale(c.local, shape->linear[0]);
+        world = scale(c.place, shape->linear[0]);
     } else {
-        world = rows(shape->linear, c.local);
-        outward = unit(columns(shape->inverse, c.local));
+        world = rows(shape->linear, c.place);
+        outward = unit(columns(shape->inverse, c.place));
     }
     c.point = add(load(shape->centre), world);
     c.normal = leaving ? negated(outward) : outward;

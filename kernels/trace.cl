@@ -8,7 +8,7 @@ Ray camera_ray(__global const Frame *frame, uint column, uint row, real right, r
     Ray ray;
     ray.origin = load(frame->eye);
     ray.direction = unit(scale_add(load(frame->up), y, scale_add(load(frame->right), x, load(frame->forward))));
-    ray.local = vector(0, 0, 0);
+    ray.place = vector(0, 0, 0);
     ray.class = NOTHING;
     ray.inside = frame->inside != 0;
     return ray;
