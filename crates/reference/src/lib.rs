@@ -11,6 +11,7 @@ mod list;
 mod reference;
 mod shade;
 mod shape;
+mod tally;
 mod tree;
 mod twins;
 

@@ -8,7 +8,8 @@ use scenec_picture::{Frame, Picture, Request, Stats, TraceError, Tracer};
 use scenec_scene::Scene;
 
 use crate::camera::{Eye, sample_point};
-use crate::shade::{Sight, Tally, World};
+use crate::shade::{Sight, World};
+use crate::tally::Tally;
 
 /// A scene, ready to be traced slowly in f64.
 ///

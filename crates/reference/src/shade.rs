@@ -1,12 +1,13 @@
 //! What a ray brings back: Whitted's model ("An Improved Illumination Model for Shaded Display", 1980) over Phong's.
 
-use scenec_picture::{NOTHING, Stats};
+use scenec_picture::NOTHING;
 use scenec_scene::{DVec3, Light, Material, MaterialId, Scene};
 
 use crate::bound::bounds;
 use crate::hash::Hash;
 use crate::list::Hit;
 use crate::shape::{Line, unit};
+use crate::tally::{Kind, Tally};
 use crate::tree::Tree;
 
 /// A scene as rays meet it.
@@ -35,17 +36,6 @@ pub(crate) struct Sight {
     pub(crate) path: u64,
 }
 
-/// The account of a pixel.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Tally {
-    /// How many rays it may still use.
-    pub(crate) left: u32,
-    /// Rays used.
-    rays: Stats,
-    /// The most that rays not followed would have brought, all together; `None` if all were followed.
-    dropped: Option<f64>,
-}
-
 /// A ray that is still to be followed.
 struct Job {
     line: Line,
@@ -56,13 +46,6 @@ struct Job {
     /// How many reflections and refractions may follow.
     to_go: u32,
     kind: Kind,
-}
-
-#[derive(Clone, Copy)]
-enum Kind {
-    Primary,
-    Reflected,
-    Refracted,
 }
 
 impl World {
@@ -98,12 +81,10 @@ impl World {
             kind: Kind::Primary,
         }];
         while let Some(job) = jobs.pop() {
-            if tally.left == 0 {
-                let most = job.weight.abs() * self.bounds[job.to_go as usize];
-                tally.dropped = Some(tally.dropped.unwrap_or(0.0) + most);
+            if !tally.affords(job.kind) {
+                tally.drop(job.weight.abs() * self.bounds[job.to_go as usize]);
                 continue;
             }
-            tally.used(job.kind);
             let Some(hit) = self.tree.along(&job.line).first(job.side) else {
                 path.add(NOTHING);
                 sight.colour += job.weight * self.background(job.line.direction);
@@ -113,6 +94,7 @@ impl World {
                 sight.leaf = hit.edge.leaf.0;
             }
             path.add(hit.edge.leaf.0);
+            path.add(hit.edge.material.0);
             path.add(u32::from(hit.entering));
             sight.colour += job.weight * self.surface(&hit, job.line.direction, tally, &mut path);
             if job.to_go > 0 {
@@ -142,7 +124,7 @@ impl World {
                 path.add(0);
                 continue;
             };
-            tally.rays.shadow += 1;
+            tally.shadow();
             let line = Line::from_surface(hit.edge.spot, way);
             // The light stands at t = 1.
             if self
@@ -168,13 +150,12 @@ impl World {
     fn go_on(&self, job: &Job, hit: &Hit, jobs: &mut Vec<Job>, path: &mut Hash) {
         let material = self.material(hit.edge.material);
         let (d, normal) = (job.line.direction, facing(hit));
-        let mut reflect = material.reflect;
-        let through = refracted(d, normal, hit.entering, material.index);
-        if material.refract != 0.0 && through.is_none() {
-            // What can't go through follows the mirror's direction.
-            reflect += material.refract;
-        }
-        path.add(u32::from(through.is_some()));
+        let wanted = material.refract != 0.0;
+        let through = refracted(d, normal, hit.entering, material.index).filter(|_| wanted);
+        // What can't go through follows the mirror's direction.
+        let total = wanted && through.is_none();
+        let reflect = material.reflect + if total { material.refract } else { 0.0 };
+        path.add(u32::from(total));
         let mut spawn = |direction: DVec3, side: bool, share: f64, kind: Kind| {
             if share != 0.0 {
                 jobs.push(Job {
@@ -199,35 +180,6 @@ impl World {
 
     fn material(&self, id: MaterialId) -> &Material {
         &self.materials[id.index()]
-    }
-}
-
-impl Tally {
-    /// An empty account.
-    pub(crate) fn new(budget: u32) -> Self {
-        Self {
-            left: budget,
-            rays: Stats::default(),
-            dropped: None,
-        }
-    }
-
-    /// The pixel's share of a frame's account, after all of its samples.
-    pub(crate) fn stats(&self, samples: u32) -> Stats {
-        Stats {
-            dropped: self.dropped.unwrap_or(0.0) / f64::from(samples),
-            over_budget: u64::from(self.dropped.is_some()),
-            ..self.rays
-        }
-    }
-
-    fn used(&mut self, kind: Kind) {
-        self.left -= 1;
-        match kind {
-            Kind::Primary => self.rays.primary += 1,
-            Kind::Reflected => self.rays.reflected += 1,
-            Kind::Refracted => self.rays.refracted += 1,
-        }
     }
 }
 
