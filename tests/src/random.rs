@@ -1,0 +1,101 @@
+//! Seeded random scenes: trees of spheres and half-spaces under all operators, with mirrors and glass.
+
+use std::fmt::Write;
+
+/// A small generator of numbers that are the same everywhere (Steele, Lea and Flood 2014, SplitMix64).
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ z >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ z >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ z >> 31
+    }
+
+    fn below(&mut self, bound: u64) -> u64 {
+        self.next() % bound
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+/// The text of a scene of 1 to 16 leaves, the same for the same seed: every shape of tree, a third of the leaves
+/// half-spaces, ellipsoids among the spheres, some mirrors and glass, and now and then the eye inside.
+#[must_use]
+pub fn random_scene(seed: u64) -> String {
+    let mut numbers = Numbers(seed);
+    let mut text = String::new();
+    let near = numbers.below(4) == 0;
+    let eye = if near { 0.6 } else { 4.0 };
+    let mut setting = |name: &str, value: f64| {
+        let _ = writeln!(text, "{name} := {value}");
+    };
+    setting("width", 48.0);
+    setting("height", 36.0);
+    setting("raydepth", 4.0);
+    for axis in ["x", "y", "z"] {
+        setting(&format!("lookat_{axis}"), 0.0);
+        setting(&format!("eyepos_{axis}"), numbers.between(-eye, eye));
+    }
+    for colour in ["r", "g", "b"] {
+        setting(&format!("ambient_{colour}"), numbers.between(0.2, 1.0));
+        setting(&format!("ambient_int_{colour}"), numbers.between(0.5, 1.0));
+    }
+    for i in 0..2 {
+        let [x, y, z] = std::array::from_fn(|_| numbers.between(-6.0, 6.0));
+        let _ = writeln!(text, "*l{i} := {x} {y} {z} {} 0.6 0.5", numbers.between(0.2, 0.9));
+    }
+    for i in 0..4 {
+        material(&mut text, &mut numbers, i);
+    }
+    let leaves = 1 + numbers.below(16);
+    for i in 0..leaves {
+        leaf(&mut text, &mut numbers, i);
+    }
+    // Any two of what is left are joined until one is left.
+    let mut open: Vec<String> = (0..leaves).map(|i| format!("o{i}")).collect();
+    let mut joined = 0;
+    while open.len() > 1 {
+        let a = open.swap_remove(numbers.below(open.len() as u64) as usize);
+        let b = open.swap_remove(numbers.below(open.len() as u64) as usize);
+        let op = ["|", "|", "&", "-"][numbers.below(4) as usize];
+        let _ = writeln!(text, "!j{joined} := {a} {op} {b}");
+        open.push(format!("j{joined}"));
+        joined += 1;
+    }
+    let _ = writeln!(text, "!{} <=", open[0]);
+    text
+}
+
+fn material(text: &mut String, numbers: &mut Numbers, i: u64) {
+    let (reflect, refract) = match numbers.below(4) {
+        0 => (0.5, 0.0),
+        1 => (0.2, 0.7),
+        _ => (0.0, 0.0),
+    };
+    let index = numbers.between(1.1, 1.8);
+    let shiny = numbers.between(1.0, 60.0);
+    let [r, g, b] = std::array::from_fn(|_| numbers.between(0.0, 1.0));
+    let _ = writeln!(
+        text,
+        "?m{i} := 0.2 0.5 0.3 {reflect} {refract} {index} {shiny} {r} {g} {b}"
+    );
+}
+
+fn leaf(text: &mut String, numbers: &mut Numbers, i: u64) {
+    let sphere = numbers.below(3) > 0;
+    let _ = writeln!(text, "!o{i} := {}", if sphere { "sphere" } else { "hp" });
+    if sphere && numbers.below(2) == 0 {
+        let [a, b, c] = std::array::from_fn(|_| numbers.between(0.4, 2.0));
+        let _ = writeln!(text, "!o{i} *= {a} {b} {c}");
+    }
+    for axis in ["x", "y", "z"] {
+        let _ = writeln!(text, "!o{i} #{axis}= {}", numbers.between(-3.0, 3.0));
+    }
+    let [x, y, z] = std::array::from_fn(|_| numbers.between(-1.5, 1.5));
+    let _ = writeln!(text, "!o{i} += {x} {y} {z}\n!o{i} ?= m{}", numbers.below(4));
+}

@@ -1,0 +1,162 @@
+//! The three tracers catch each other: the f64 reference straight from the scene, the processor's tracer and the OpenCL
+//! kernels, each in both precisions, specialised and general.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::print_stdout,
+    reason = "a test may, in its helpers too"
+)]
+
+use scenec_cpu::Cpu;
+use scenec_device::{DeviceInfo, Precision, discover, select, tracer};
+use scenec_picture::{Frame, Layers, Limits, Request, Tracer, Watch, Window};
+use scenec_plan::{Features, Plan, plan};
+use scenec_reference::Reference;
+use scenec_scene::Scene;
+use scenec_tests::{Mask, compare, gallery, random_scene, scene};
+
+/// How far colours may be apart on calm pixels.
+const F64: f64 = 1e-9;
+const F32: f64 = 1.0 / 255.0;
+
+fn frame(tracer: &mut dyn Tracer, scene: &Scene, paths: bool) -> Frame {
+    let watch = Watch::new();
+    let request = Request {
+        window: Window::whole(scene.settings.width, scene.settings.height),
+        limits: Limits::NO_CUTOFF,
+        layers: Layers {
+            ids: true,
+            exact: true,
+            paths,
+        },
+        watch: &watch,
+    };
+    let frame = tracer
+        .trace(&request)
+        .unwrap_or_else(|error| panic!("{}: {error}", tracer.name()));
+    assert_eq!(frame.picture.non_finite(), 0, "{}", tracer.name());
+    frame
+}
+
+struct Judge {
+    name: String,
+    scene: Scene,
+    plan: Plan,
+    truth: Frame,
+    mask: Mask,
+}
+
+impl Judge {
+    fn new(name: &str, scene: Scene) -> Self {
+        let truth = frame(&mut Reference::new(&scene), &scene, true);
+        let mask = Mask::of(&truth);
+        Self {
+            name: name.to_owned(),
+            plan: plan(&scene).unwrap(),
+            scene,
+            truth,
+            mask,
+        }
+    }
+
+    fn check(&self, tracer: &mut dyn Tracer, tolerance: f64) -> Frame {
+        let mut frame = frame(tracer, &self.scene, false);
+        if tolerance == F32 {
+            frame.exact = None;
+        }
+        let found = compare(&self.truth, &frame, &self.mask);
+        let who = format!("{} by {}", self.name, tracer.name());
+        assert_eq!(found.leaves, 0, "{who}: {found:?}");
+        assert!(found.colour <= tolerance, "{who}: {found:?}");
+        frame
+    }
+
+    fn on_processor(&self) {
+        self.check(&mut Cpu::<f64>::new(&self.plan, 1).unwrap(), F64);
+        self.check(&mut Cpu::<f32>::new(&self.plan, 1).unwrap(), F32);
+    }
+
+    fn on_device(&self, info: &DeviceInfo) {
+        let general = Features::generic(&self.plan);
+        let special = Features::of(&self.plan);
+        let run = |precision, features, tolerance| {
+            self.check(&mut *tracer(info, &self.plan, precision, features).unwrap(), tolerance)
+        };
+        let pairs = [(Precision::F32, F32), (Precision::F64, F64)];
+        for (precision, tolerance) in pairs.into_iter().filter(|(p, _)| *p == Precision::F32 || info.has_f64) {
+            let one = run(precision, &special, tolerance);
+            let other = run(precision, &general, tolerance);
+            // What a scene does not need may be left out, and nothing may show it.
+            assert_eq!(
+                one.picture, other.picture,
+                "{} {precision}: specialised and general",
+                self.name
+            );
+        }
+    }
+}
+
+fn device() -> Option<&'static DeviceInfo> {
+    let found = select("opencl", discover());
+    if std::env::var_os("SCENEC_REQUIRE_OPENCL").is_some() {
+        return Some(found.expect("SCENEC_REQUIRE_OPENCL is set, so a device must be found"));
+    }
+    found.inspect_err(|error| println!("skipped: {error}")).ok()
+}
+
+/// The gallery at a size at which the reference is quick.
+fn small_gallery() -> Vec<Judge> {
+    let small = |(name, mut scene): (String, Scene)| {
+        let wide = scene.settings.width.max(1);
+        scene.settings.height = (scene.settings.height * 96 / wide).max(1);
+        scene.settings.width = 96;
+        scene.settings.samples = scene.settings.samples.min(4);
+        Judge::new(&name, scene)
+    };
+    gallery().into_iter().map(small).collect()
+}
+
+const SEEDS: std::ops::Range<u64> = 0..200;
+
+#[test]
+fn the_gallery_on_the_processor() {
+    for judge in small_gallery() {
+        judge.on_processor();
+        assert!(
+            judge.mask.share() > 0.1,
+            "{}: only {:.2} of it is compared",
+            judge.name,
+            judge.mask.share()
+        );
+    }
+}
+
+#[test]
+fn the_gallery_on_a_device() {
+    let Some(info) = device() else { return };
+    small_gallery().iter().for_each(|judge| judge.on_device(info));
+}
+
+#[test]
+fn random_trees_on_the_processor() {
+    let mut compared = 0.0;
+    for seed in SEEDS {
+        let judge = Judge::new(&format!("seed {seed}"), scene("random", &random_scene(seed)));
+        judge.on_processor();
+        compared += judge.mask.share() / SEEDS.end as f64;
+    }
+    println!(
+        "{:.0} % of the pixels of random trees are away from every silhouette",
+        compared * 100.0
+    );
+    assert!(compared > 0.4, "only {compared:.2} of all pixels are compared");
+}
+
+#[test]
+fn random_trees_on_a_device() {
+    let Some(info) = device() else { return };
+    for seed in SEEDS {
+        Judge::new(&format!("seed {seed}"), scene("random", &random_scene(seed))).on_device(info);
+    }
+}
