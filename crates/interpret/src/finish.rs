@@ -16,7 +16,7 @@ use crate::suggest::Suggestions;
 /// Judges the whole file and builds the scene. `last` is the last line that isn't blank.
 pub(crate) fn finish(mut state: State<'_>, last: Option<Span>) -> (Interpretation, Vec<Diagnostic>) {
     let end = u32::try_from(state.text.len()).unwrap_or(u32::MAX);
-    let last = last.unwrap_or_else(|| Span::at(end));
+    let last = Span::at(last.map_or(end, |line| line.end));
     let mut suggestions = Suggestions::new();
     unknown::report(&mut state, &mut suggestions);
     unused::report(&mut state, &mut suggestions);

@@ -165,6 +165,8 @@ fn a_file_of_misspelt_names_ends_in_time() {
         text.push_str(&format!("name{i} := 1\n!a += nam{i} 0 0\n"));
     }
     assert_eq!(read(&text).1.len(), 60_001);
+    let unbound: String = (0..100_000).map(|i| format!("a{i} := b{i}\n")).collect();
+    assert_eq!(read(&unbound).1.len(), 100_002);
 }
 
 #[test]

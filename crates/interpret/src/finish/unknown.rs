@@ -34,8 +34,11 @@ fn describe<T>(names: &Names<'_, T>, unknown: &Unknown, code: Code, suggestions:
             .help("a statement knows only what stands before it: move this one down, or the other up");
     }
     let before = |line: Option<Span>| line.is_some_and(|line| line.start < unknown.span.start);
-    let known = names.entries.iter().filter(|other| before(other.first_bound));
-    match suggestions.closest(entry.name, known.map(|other| other.name)) {
+    let known = names
+        .entries
+        .iter()
+        .map(|other| before(other.first_bound).then_some(other.name));
+    match suggestions.closest(entry.name, known) {
         Some(near) => finding.help(format!(
             "did you mean {}?",
             quote(&format!("{}{near}", unknown.space.sigil()))

@@ -57,7 +57,7 @@ fn unread(name: &str, variable: &Variable, suggestions: &mut Suggestions) -> Dia
     let settings = SETTINGS
         .iter()
         .flat_map(|row| std::iter::once(row.name).chain(row.alias));
-    match suggestions.closest(name, settings) {
+    match suggestions.closest(name, settings.map(Some)) {
         Some(near) => finding.help(format!("did you mean the setting `{near}`?")),
         None => finding.help("remove it, or use it"),
     }

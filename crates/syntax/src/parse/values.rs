@@ -68,8 +68,7 @@ impl LineParser<'_> {
         if extra.iter().any(|value| value.sign.is_some()) {
             help.push_str("; there is no arithmetic: a sign begins the next value");
         }
-        let last = fields.last().copied().unwrap_or_default();
-        Diagnostic::new(Code::TooManyValues, counts, span, format!("left over after {last}")).help(help)
+        Diagnostic::new(Code::TooManyValues, counts, span, "left over").help(help)
     }
 }
 
