@@ -35,6 +35,13 @@ impl Reference {
         }
     }
 
+    /// The same with this many threads, at least one; without, there are as many as the machine has.
+    #[must_use]
+    pub fn with_threads(mut self, threads: usize) -> Self {
+        self.threads = threads.max(1);
+        self
+    }
+
     /// A pixel by its column and row in the whole picture: the mean of its samples, and what the first one met.
     fn pixel(&self, eye: &Eye, column: u32, row: u32, tally: &mut Tally) -> Sight {
         let mut look = |k| {

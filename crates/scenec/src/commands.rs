@@ -1,3 +1,5 @@
 //! The subcommands: each is a set of arguments with a `run` that tells how the program ends.
 
 pub(crate) mod check;
+pub(crate) mod devices;
+pub(crate) mod render;

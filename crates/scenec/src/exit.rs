@@ -11,14 +11,28 @@ pub(crate) enum Exit {
     Errors,
     /// The command could not be carried out: bad arguments, or a file that can't be read.
     Unusable,
+    /// The device that was asked for failed, or there is none.
+    DeviceFailed,
+    /// Ctrl-C.
+    Interrupted,
+}
+
+impl Exit {
+    /// The number.
+    pub(crate) const fn code(self) -> u8 {
+        match self {
+            Self::Clean => 0,
+            Self::Errors => 1,
+            Self::Unusable => 2,
+            Self::DeviceFailed => 3,
+            // As shells have it: 128 and the number of the signal.
+            Self::Interrupted => 130,
+        }
+    }
 }
 
 impl From<Exit> for ExitCode {
     fn from(exit: Exit) -> Self {
-        match exit {
-            Exit::Clean => Self::SUCCESS,
-            Exit::Errors => Self::from(1),
-            Exit::Unusable => Self::from(2),
-        }
+        Self::from(exit.code())
     }
 }

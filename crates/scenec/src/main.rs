@@ -3,6 +3,8 @@
 mod commands;
 mod exit;
 mod input;
+mod interrupt;
+mod progress;
 mod report;
 
 use std::process::ExitCode;
@@ -20,11 +22,15 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Command {
     Check(commands::check::Check),
+    Render(Box<commands::render::Render>),
+    Devices(commands::devices::Devices),
 }
 
 fn main() -> ExitCode {
     let exit = match Arguments::parse().command {
         Command::Check(check) => check.run(),
+        Command::Render(render) => render.run(),
+        Command::Devices(devices) => devices.run(),
     };
     exit.into()
 }

@@ -98,6 +98,14 @@ pub(crate) fn failure(out: &mut impl Write, message: &str) -> io::Result<()> {
     writeln!(out, "error: {}", sanitise(message))
 }
 
+/// Writes lines that are no finding.
+///
+/// # Errors
+/// Those of `out`.
+pub(crate) fn remark(out: &mut impl Write, message: &str) -> io::Result<()> {
+    writeln!(out, "{}", sanitise(message))
+}
+
 struct Printer<'a> {
     source: &'a SourceFile,
     name: String,

@@ -1,0 +1,192 @@
+//! `scenec render`
+
+mod account;
+mod clock;
+mod failure;
+mod machine;
+mod target;
+mod values;
+mod view;
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use clap::Args;
+use scenec_interpret::analyse;
+use scenec_picture::{Layers, Request};
+use scenec_scene::Scene;
+use scenec_text::Severity;
+
+use crate::exit::Exit;
+use crate::report::{self, Tally};
+use crate::{input, interrupt};
+use account::{account, grouped};
+use clock::Clock;
+use failure::Failure;
+use machine::{Attempt, Traced};
+
+/// Trace a scene file into a picture
+///
+/// The file is checked first: with errors in it nothing is rendered. The picture appears under its name only when it is
+/// complete; whatever stood there before stays on any failure. Reports go to standard error.
+#[derive(Args, Debug)]
+#[command(after_help = AFTER_HELP)]
+pub(crate) struct Render {
+    /// The scene file; `-` reads standard input
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    #[command(flatten)]
+    target: target::TargetOptions,
+    #[command(flatten)]
+    view: view::ViewOptions,
+    #[command(flatten)]
+    machine: machine::MachineOptions,
+    #[command(flatten)]
+    talk: TalkOptions,
+}
+
+/// Arguments about what is said.
+#[derive(Args, Debug)]
+#[command(next_help_heading = "Reports")]
+struct TalkOptions {
+    /// Tell what the render took
+    #[arg(long)]
+    stats: bool,
+    /// Say nothing but errors
+    #[arg(short, long)]
+    quiet: bool,
+    #[command(flatten)]
+    style: report::Style,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  scenec render seed.scene -o seed.png
+  scenec render seed.scene -o large.png --size 3840x2160 --samples 16
+  scenec render seed.scene -o part.exr --crop 200,100,64,64 --device reference
+  generate | scenec render - -o - --format png --quiet | display
+
+Exit codes:
+  0    the picture is written
+  1    the scene file has errors
+  2    the arguments, the file or the place to write can't be used, or the picture is too large
+  3    the device failed, or there is none
+  130  stopped by Ctrl-C; a second Ctrl-C does not wait for the tracer";
+
+impl Render {
+    pub(crate) fn run(&self) -> Exit {
+        match self.render() {
+            Ok(()) => Exit::Clean,
+            Err(failure) => {
+                if let Some(message) = failure.message() {
+                    // With standard error gone there is nobody left to tell, here and below.
+                    report::failure(&mut io::stderr().lock(), message).unwrap_or_default();
+                }
+                failure.exit()
+            }
+        }
+    }
+
+    fn render(&self) -> Result<(), Failure> {
+        let mut clock = Clock::start();
+        let target = self.target.target(&self.file)?;
+        let scene = self.view.scene(self.scene(&mut clock)?);
+        let window = self.view.window(scene.settings.width, scene.settings.height)?;
+        target.check(&window)?;
+
+        let watch = interrupt::watch();
+        let traced = Attempt {
+            options: &self.machine,
+            request: Request {
+                window,
+                limits: self.view.limits(),
+                layers: Layers::default(),
+                watch,
+            },
+            clock: &mut clock,
+            progress: !self.talk.quiet,
+            warn: if self.talk.quiet { |_| () } else { warn },
+        }
+        .trace(&scene)?;
+        if !self.talk.quiet {
+            self.doubts(&traced);
+        }
+        target.write(&traced.frame.picture, watch)?;
+        clock.lap("encode");
+        self.conclude(&scene, &traced, &target.name(), &clock);
+        Ok(())
+    }
+
+    /// The scene in the file, after its findings have been shown.
+    fn scene(&self, clock: &mut Clock) -> Result<Scene, Failure> {
+        let (source, mut diagnostics) = input::read(&self.file).map_err(Failure::Unusable)?;
+        clock.lap("read");
+        let (interpretation, more) = analyse(&source);
+        clock.lap("interpret");
+        diagnostics.extend(more);
+        diagnostics.sort_by_key(|finding| finding.span().start);
+        let tally = Tally::of(&diagnostics);
+        if self.talk.quiet {
+            diagnostics.retain(|finding| finding.severity() == Severity::Error);
+        }
+        if !diagnostics.is_empty() {
+            // The drawings are many small writes.
+            let mut out = io::BufWriter::new(io::stderr().lock());
+            report::print(&mut out, &source, &diagnostics, &self.talk.style)
+                .and_then(|()| match tally.errors {
+                    0 => Ok(()),
+                    _ => report::summary(&mut out, &source, tally),
+                })
+                .and_then(|()| out.flush())
+                .unwrap_or_default();
+        }
+        interpretation.scene.ok_or(Failure::Errors)
+    }
+
+    /// Says what may be wrong with a picture.
+    fn doubts(&self, traced: &Traced) {
+        let stats = &traced.frame.stats;
+        if stats.over_budget > 0 {
+            warn(&format!(
+                "{} met the ray budget of {}, and what was left out may add up to {:.2e} of a colour component; \
+                 --ray-budget sets it",
+                pixels(stats.over_budget),
+                grouped(self.view.limits().ray_budget.into()),
+                stats.dropped
+            ));
+        }
+        let strange = traced.frame.picture.non_finite() as u64;
+        if strange > 0 {
+            warn(&format!("{} came out as no finite number", pixels(strange)));
+        }
+    }
+
+    fn conclude(&self, scene: &Scene, traced: &Traced, target: &str, clock: &Clock) {
+        let out = &mut io::stderr().lock();
+        if self.talk.stats {
+            report::remark(out, account(scene, traced, clock).trim_end()).unwrap_or_default();
+        }
+        if !self.talk.quiet {
+            let picture = &traced.frame.picture;
+            let line = format!(
+                "wrote {target}: {} x {}, {}, {:.0} ms",
+                picture.width(),
+                picture.height(),
+                traced.name,
+                clock.total().as_secs_f64() * 1e3
+            );
+            report::remark(out, &line).unwrap_or_default();
+        }
+    }
+}
+
+fn warn(message: &str) {
+    report::remark(&mut io::stderr().lock(), &format!("warning: {message}")).unwrap_or_default();
+}
+
+fn pixels(count: u64) -> String {
+    match count {
+        1 => "1 pixel".to_owned(),
+        _ => format!("{} pixels", grouped(count)),
+    }
+}

@@ -1,0 +1,63 @@
+//! Why there is no picture, and what the exit code says of it.
+
+use scenec_device::DeviceError;
+use scenec_picture::TraceError;
+
+use crate::exit::Exit;
+
+/// Why there is no picture.
+#[derive(Debug)]
+pub(super) enum Failure {
+    /// The file has errors, and they have been reported.
+    Errors,
+    /// What was asked for can't be done: a sentence for the user.
+    Unusable(String),
+    /// The device failed: a sentence for the user, perhaps followed by a compiler's log.
+    Device(String),
+    /// Somebody said stop.
+    Interrupted,
+}
+
+impl Failure {
+    pub(super) fn unusable(message: impl ToString) -> Self {
+        Self::Unusable(message.to_string())
+    }
+
+    /// What the exit code tells.
+    pub(super) fn exit(&self) -> Exit {
+        match self {
+            Self::Errors => Exit::Errors,
+            Self::Unusable(_) => Exit::Unusable,
+            Self::Device(_) => Exit::DeviceFailed,
+            Self::Interrupted => Exit::Interrupted,
+        }
+    }
+
+    /// What is left to say.
+    pub(super) fn message(&self) -> Option<&str> {
+        match self {
+            Self::Errors => None,
+            Self::Unusable(message) | Self::Device(message) => Some(message),
+            Self::Interrupted => Some("stopped; nothing was written"),
+        }
+    }
+}
+
+impl From<TraceError> for Failure {
+    fn from(error: TraceError) -> Self {
+        match error {
+            TraceError::Cancelled => Self::Interrupted,
+            TraceError::TooManyPixels(error) => Self::unusable(error),
+            TraceError::Failed(message) => Self::Device(message),
+        }
+    }
+}
+
+impl From<DeviceError> for Failure {
+    fn from(error: DeviceError) -> Self {
+        Self::Device(match error.log() {
+            Some(log) => format!("{error}\n{log}"),
+            None => error.to_string(),
+        })
+    }
+}

@@ -1,0 +1,176 @@
+//! Where the picture goes and how it is written; all that can be known to fail is found out before anything is traced.
+
+use std::fs;
+use std::io::{self, Cursor, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use scenec_picture::{Depth, EncodeError, Encoding, Format, Picture, Transfer, Watch, Window, encode, write_whole};
+
+use super::failure::Failure;
+use super::values::named;
+use crate::interrupt::{Stoppable, while_writing};
+
+/// Arguments about the file that is written.
+#[derive(Args, Debug)]
+#[command(next_help_heading = "Output")]
+pub(super) struct TargetOptions {
+    /// The file to write; its extension says the format. `-` writes to standard output, in the format of --format
+    #[arg(short, long, value_name = "OUT")]
+    output: PathBuf,
+    /// The format, whatever the extension says
+    #[arg(long, value_name = "FORMAT", value_parser = format(), ignore_case = true)]
+    format: Option<Format>,
+    /// How a colour component is stored, where the format leaves a choice
+    #[arg(long, value_name = "BITS", value_parser = named(Depth::ALL))]
+    depth: Option<Depth>,
+    /// How components become levels; floating-point formats hold them unchanged
+    #[arg(long, value_name = "CURVE", default_value = "linear", value_parser = named(Transfer::ALL))]
+    transfer: Transfer,
+    /// From 1 (small) to 100 (faithful), for jpeg
+    #[arg(long, value_name = "N", default_value_t = 90, value_parser = clap::value_parser!(u8).range(1..=100))]
+    quality: u8,
+}
+
+/// A format by its name or one of its extensions.
+fn format() -> impl TypedValueParser<Value = Format> {
+    let value = |format: Format| PossibleValue::new(format.name()).aliases(format.extensions());
+    PossibleValuesParser::new(Format::all().map(value)).try_map(|word| {
+        let found = Format::from_name(&word).or_else(|| Format::from_path(&Path::new("x").with_extension(&word)));
+        found.ok_or_else(|| format!("`{word}` is unknown"))
+    })
+}
+
+/// A place that a picture can be written to.
+#[derive(Debug)]
+pub(super) struct Target {
+    place: Place,
+    encoding: Encoding,
+}
+
+#[derive(Debug)]
+enum Place {
+    File(PathBuf),
+    Standard,
+}
+
+impl TargetOptions {
+    /// The place and the way to write, so far as they can be known before there is a scene.
+    pub(super) fn target(&self, input: &Path) -> Result<Target, Failure> {
+        let place = if self.output.as_os_str() == "-" {
+            Place::Standard
+        } else {
+            Place::File(self.output.clone())
+        };
+        let encoding = Encoding {
+            format: self.chosen_format(&place)?,
+            depth: self.depth,
+            transfer: self.transfer,
+            quality: self.quality,
+        };
+        encoding.check(1, 1).map_err(Failure::unusable)?;
+        match &place {
+            Place::Standard if io::stdout().is_terminal() => {
+                return Err(Failure::unusable(
+                    "a picture is nothing for a terminal; send standard output elsewhere, or name a file with -o",
+                ));
+            }
+            Place::Standard => {}
+            Place::File(path) => {
+                writable(path).map_err(|error| cannot_write(path, &error))?;
+                let same = |a: &Path, b: &Path| Some(fs::canonicalize(a).ok()? == fs::canonicalize(b).ok()?);
+                if same(path, input) == Some(true) {
+                    return Err(cannot_write(path, &"it is the scene itself"));
+                }
+            }
+        }
+        Ok(Target { place, encoding })
+    }
+
+    fn chosen_format(&self, place: &Place) -> Result<Format, Failure> {
+        match (self.format, place) {
+            (Some(format), _) => Ok(format),
+            (None, Place::Standard) => Err(Failure::Unusable(format!(
+                "standard output has no extension; --format says what to write: {}",
+                list(|format| format.name().to_owned())
+            ))),
+            (None, Place::File(path)) => Format::from_path(path).ok_or_else(|| {
+                Failure::Unusable(format!(
+                    "the extension of {} is not one of a known format; use {}, or --format",
+                    path.display(),
+                    list(|format| format.extensions().join(", "))
+                ))
+            }),
+        }
+    }
+}
+
+fn list(words: fn(Format) -> String) -> String {
+    Format::all().map(words).collect::<Vec<_>>().join(", ")
+}
+
+fn cannot_write(path: &Path, reason: &dyn std::fmt::Display) -> Failure {
+    Failure::Unusable(format!("cannot write {}: {reason}", path.display()))
+}
+
+/// Whether a file can be made where this one is to stand. What is no file and no folder takes what it takes.
+fn writable(path: &Path) -> io::Result<()> {
+    let path = match fs::metadata(path) {
+        Ok(there) if there.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
+        Ok(there) if !there.is_file() => return Ok(()),
+        Ok(_) => fs::canonicalize(path)?,
+        Err(_) => path.to_owned(),
+    };
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    // Asking for permissions would not tell of full disks and read-only ones; making a file does.
+    tempfile::tempfile_in(folder.unwrap_or(Path::new("."))).map(drop)
+}
+
+impl Target {
+    /// What people know the place as.
+    pub(super) fn name(&self) -> String {
+        match &self.place {
+            Place::File(path) => path.display().to_string(),
+            Place::Standard => "<stdout>".to_owned(),
+        }
+    }
+
+    /// Refuses a picture that the format can't hold.
+    pub(super) fn check(&self, window: &Window) -> Result<(), Failure> {
+        let fits = self.encoding.check(window.width, window.height);
+        fits.map_err(|error| Failure::Unusable(format!("cannot write {}: {error}", self.name())))
+    }
+
+    /// Writes the picture, whole or not at all.
+    pub(super) fn write(&self, picture: &Picture, watch: &Watch) -> Result<(), Failure> {
+        let written = match &self.place {
+            Place::File(path) => while_writing(|| {
+                write_whole(path, |out| {
+                    encode(picture, &self.encoding, &mut Stoppable { out, watch })
+                })
+            }),
+            Place::Standard => self.pour(picture, watch),
+        };
+        written.map_err(|error| {
+            if watch.stopped() {
+                Failure::Interrupted
+            } else {
+                Failure::Unusable(format!("cannot write {}: {error}", self.name()))
+            }
+        })
+    }
+
+    /// To standard output, once all of it is there: some formats go back to fill in their header.
+    fn pour(&self, picture: &Picture, watch: &Watch) -> Result<(), EncodeError> {
+        let mut bytes = Cursor::new(Vec::new());
+        encode(picture, &self.encoding, &mut bytes)?;
+        let mut out = Stoppable {
+            out: io::stdout().lock(),
+            watch,
+        };
+        out.write_all(bytes.get_ref())?;
+        out.flush()?;
+        Ok(())
+    }
+}
