@@ -47,6 +47,10 @@ bool spawn(const Scene *scene, const Branch *parent, const Contact *contact, rea
     branch->ray.place = contact->place;
     branch->ray.class = contact->class;
     branch->ray.inside = inside;
+#if TOUCHES
+    branch->ray.end = (real)INFINITY;
+    branch->ray.touches = branch->ray.touches_end = 0;
+#endif
     return true;
 }
 #endif

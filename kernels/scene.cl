@@ -13,6 +13,9 @@ typedef struct {
     __global const Node *nodes;
     __global const Material *materials;
     __global const Light *lights;
+#if TOUCHES
+    __global const Touch *touches;
+#endif
     __global const real *samples;
     __global const real *reach;
 } Scene;
@@ -25,4 +28,9 @@ typedef struct {
     Vector place;
     uint class;
     bool inside;
+#if TOUCHES
+    /* The light that it runs to, if that lies on surfaces. */
+    real end;
+    __global const Touch *touches, *touches_end;
+#endif
 } Ray;

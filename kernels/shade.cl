@@ -45,6 +45,11 @@ Vector local_colour(const Scene *scene, __global const Material *material, const
         shadow.place = contact->place;
         shadow.class = contact->class;
         shadow.inside = ray->inside;
+#if TOUCHES
+        shadow.end = length_scaled * largest;
+        shadow.touches = scene->touches + light->touches;
+        shadow.touches_end = scene->touches + light->touches_end;
+#endif
         *shadows += 1;
         if (blocked(scene, &shadow, length_scaled * largest))
             continue;

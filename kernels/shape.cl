@@ -64,12 +64,29 @@ Approach approach(__global const Shape *shape, const Ray *ray) {
     return a;
 }
 
+#if TOUCHES
+/* Whether the ray's end lies on the surface, and where. */
+__global const Touch *touch_of(__global const Shape *shape, const Ray *ray) {
+    for (__global const Touch *touch = ray->touches; touch != ray->touches_end; ++touch)
+        if (touch->class == shape->class)
+            return touch;
+    return 0;
+}
+#endif
+
+/* From a point p of the unit sphere along d: the other root of |p + t d| = 1, given p.d. */
+real other_root(real towards, Vector direction) { return -(towards + towards) / inner(direction, direction); }
+
 Interval half_space_interval(__global const Shape *shape, const Ray *ray) {
     Vector normal = load(shape->inverse);
     real towards = inner(normal, ray->direction);
     if (shape->class == ray->class)
         return towards >= 0 ? interval(-(real)INFINITY, 0) : interval(0, (real)INFINITY);
     real above = inner(normal, subtract(ray->origin, load(shape->centre)));
+#if TOUCHES
+    if (touch_of(shape, ray))
+        return above <= 0 ? interval(-(real)INFINITY, ray->end) : interval(ray->end, (real)INFINITY);
+#endif
     /* Three products and two sums: below this size the sign of `towards` is rounding. */
     real terms =
         fabs(normal.x * ray->direction.x) + fabs(normal.y * ray->direction.y) + fabs(normal.z * ray->direction.z);
@@ -86,8 +103,23 @@ Interval shape_interval(__global const Shape *shape, const Ray *ray) {
         /* Deflation: the start lies on this sphere, so its roots are exactly 0 and -2 (p.d)/(d.d). */
         Vector direction = to_local(shape, ray->direction);
         real towards = inner(ray->place, direction);
-        return towards >= 0 ? interval(0, 0) : interval(0, -(towards + towards) / inner(direction, direction));
+        if (towards >= 0)
+            return interval(0, 0);
+#if TOUCHES
+        if (touch_of(shape, ray))
+            return interval(0, ray->end);
+#endif
+        return interval(0, other_root(towards, direction));
     }
+#if TOUCHES
+    __global const Touch *touch = touch_of(shape, ray);
+    if (touch) {
+        /* The same from the other end. */
+        Vector direction = to_local(shape, ray->direction);
+        real other = ray->end + other_root(inner(load(touch->local_point), direction), direction);
+        return interval(fmin(other, ray->end), fmax(other, ray->end));
+    }
+#endif
     Approach a = approach(shape, ray);
     return interval(a.distance - a.half_chord, a.distance + a.half_chord);
 }

@@ -11,6 +11,10 @@ Ray camera_ray(__global const Frame *frame, uint column, uint row, real right, r
     ray.place = vector(0, 0, 0);
     ray.class = NOTHING;
     ray.inside = frame->inside != 0;
+#if TOUCHES
+    ray.end = (real)INFINITY;
+    ray.touches = ray.touches_end = 0;
+#endif
     return ray;
 }
 
@@ -18,7 +22,7 @@ Ray camera_ray(__global const Frame *frame, uint column, uint row, real right, r
 __kernel void trace(__global const Frame *frame, __global const Shape *shapes, __global const Leaf *leaves,
                     __global const Island *islands, __global const uint *program, __global const uint *members,
                     __global const Node *nodes, __global const Material *materials, __global const Light *lights,
-                    __global const real *samples, __global const real *reach, __global Outcome *outcomes,
+                    __global const Touch *touches, __global const real *samples, __global const real *reach, __global Outcome *outcomes,
                     uint first_row, uint end_row) {
     uint column = get_global_id(0);
     uint row = first_row + get_global_id(1);
@@ -34,6 +38,9 @@ __kernel void trace(__global const Frame *frame, __global const Shape *shapes, _
     scene.nodes = nodes;
     scene.materials = materials;
     scene.lights = lights;
+#if TOUCHES
+    scene.touches = touches;
+#endif
     scene.samples = samples;
     scene.reach = reach;
 

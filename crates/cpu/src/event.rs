@@ -40,9 +40,10 @@ impl<'a, R: Real> Crossings<'a, R> {
     pub(crate) fn new(scene: &'a Packed<R>, island: &'a Island, ray: &Ray<R>, scratch: &'a mut Scratch<R>) -> Self {
         let members = &scene.members[island.members as usize..island.members_end as usize];
         scratch.intervals.clear();
+        let touches = &scene.touches[ray.end.touches as usize..ray.end.touches_end as usize];
         scratch.intervals.extend(members.iter().map(|leaf| {
             let leaf = &scene.leaves[*leaf as usize];
-            interval(&scene.shapes[leaf.shape as usize], ray)
+            interval(&scene.shapes[leaf.shape as usize], ray, touches)
         }));
         Self {
             scene,

@@ -6,7 +6,7 @@ use scenec_plan::{Packed, Real};
 
 use crate::event::{Hit, Scratch};
 use crate::hierarchy;
-use crate::ray::Ray;
+use crate::ray::{End, Ray};
 use crate::shade;
 use crate::shape::contact;
 use crate::vector::{Vector, dot, fma, neg, normalize, scale};
@@ -114,6 +114,7 @@ impl<'a, R: Real> Walker<'a, R> {
             local: contact.local,
             class: contact.class,
             inside,
+            end: End::NONE,
         };
         let mut mirrored = material.reflect;
         let mut through = None;

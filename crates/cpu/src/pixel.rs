@@ -7,7 +7,7 @@ use scenec_plan::packed_structs::Frame;
 use scenec_plan::{Packed, Real};
 
 use crate::path::{Spent, Walker};
-use crate::ray::{NO_CLASS, Ray};
+use crate::ray::{End, NO_CLASS, Ray};
 use crate::vector::{Vector, fma, normalize, scale};
 
 /// A traced pixel.
@@ -85,5 +85,6 @@ fn ray<R: Real>(frame: &Frame<R>, column: u32, row: u32, point: &[R; 2]) -> Ray<
         local: [R::ZERO; 3],
         class: NO_CLASS,
         inside: frame.inside != 0,
+        end: End::NONE,
     }
 }

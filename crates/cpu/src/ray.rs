@@ -1,5 +1,7 @@
 //! A ray and the surface that it leaves.
 
+use scenec_plan::Real;
+
 use crate::vector::Vector;
 
 /// No surface: the ray comes from the eye.
@@ -18,4 +20,26 @@ pub(crate) struct Ray<R> {
     pub(crate) class: u32,
     /// Whether it runs inside the solid at first.
     pub(crate) inside: bool,
+    /// The light that it runs to, if that lies on a surface.
+    pub(crate) end: End<R>,
+}
+
+/// Where a ray to a light ends, and which surfaces the light lies on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct End<R> {
+    /// Along the ray.
+    pub(crate) distance: R,
+    /// First of the light's touches.
+    pub(crate) touches: u32,
+    /// One past the last of them.
+    pub(crate) touches_end: u32,
+}
+
+impl<R: Real> End<R> {
+    /// The end of a ray that runs to no light.
+    pub(crate) const NONE: Self = Self {
+        distance: R::INFINITY,
+        touches: 0,
+        touches_end: 0,
+    };
 }

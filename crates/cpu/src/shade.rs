@@ -5,7 +5,7 @@ use scenec_plan::{Packed, Real};
 
 use crate::event::Scratch;
 use crate::hierarchy::blocked;
-use crate::ray::Ray;
+use crate::ray::{End, Ray};
 use crate::shape::Contact;
 use crate::vector::{Vector, dot, fma, scale, sub};
 
@@ -35,6 +35,11 @@ pub(crate) fn local<R: Real>(
             local: contact.local,
             class: contact.class,
             inside: ray.inside,
+            end: End {
+                distance,
+                touches: light.touches,
+                touches_end: light.touches_end,
+            },
         };
         *shadows += 1;
         if blocked(scene, &shadow, distance, scratch) {

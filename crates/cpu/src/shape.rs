@@ -1,7 +1,7 @@
 //! Where a ray runs inside a surface's solid: always one interval, since balls, ellipsoids and half-spaces are convex.
 
 use scenec_plan::Real;
-use scenec_plan::packed_structs::Shape;
+use scenec_plan::packed_structs::{Shape, Touch};
 
 use crate::ray::Ray;
 use crate::vector::{Vector, add, columns, dot, fma, neg, normalize, rows, scale, sub};
@@ -22,11 +22,12 @@ struct Approach<R> {
     half: R,
 }
 
-/// The interval of a ray inside a shape.
+/// The interval of a ray inside a shape; `touches` are the surfaces that its end lies on.
 #[inline(always)]
-pub(crate) fn interval<R: Real>(shape: &Shape<R>, ray: &Ray<R>) -> Interval<R> {
+pub(crate) fn interval<R: Real>(shape: &Shape<R>, ray: &Ray<R>, touches: &[Touch<R>]) -> Interval<R> {
+    let end = touches.iter().find(|touch| touch.class == shape.class);
     if shape.kind == HALF_SPACE {
-        return half_space(shape, ray);
+        return half_space(shape, ray, end.is_some());
     }
     if shape.class == ray.class {
         // Deflation: the start lies on this sphere, so the equation loses its constant term and has exactly the roots 0
@@ -35,12 +36,26 @@ pub(crate) fn interval<R: Real>(shape: &Shape<R>, ray: &Ray<R>) -> Interval<R> {
         let towards = dot(ray.local, direction);
         return if towards >= R::ZERO {
             (R::ZERO, R::ZERO)
+        } else if end.is_some() {
+            (R::ZERO, ray.end.distance)
         } else {
-            (R::ZERO, -(towards + towards) / dot(direction, direction))
+            (R::ZERO, other_root(towards, direction))
         };
+    }
+    if let Some(touch) = end {
+        // The same from the other end.
+        let direction = to_local(shape, ray.direction);
+        let other = ray.end.distance + other_root(dot(touch.local_point, direction), direction);
+        return (other.min(ray.end.distance), other.max(ray.end.distance));
     }
     let approach = approach(shape, ray);
     (approach.distance - approach.half, approach.distance + approach.half)
+}
+
+/// From a point p of the unit sphere along d: the other root of |p + t d| = 1, given p.d.
+#[inline(always)]
+fn other_root<R: Real>(towards: R, direction: Vector<R>) -> R {
+    -(towards + towards) / dot(direction, direction)
 }
 
 /// Closest approach with one residual step: the discriminant is 1 minus the square of the distance between ray and centre,
@@ -67,7 +82,7 @@ fn approach<R: Real>(shape: &Shape<R>, ray: &Ray<R>) -> Approach<R> {
 }
 
 #[inline(always)]
-fn half_space<R: Real>(shape: &Shape<R>, ray: &Ray<R>) -> Interval<R> {
+fn half_space<R: Real>(shape: &Shape<R>, ray: &Ray<R>, ends_here: bool) -> Interval<R> {
     let normal = plane_normal(shape);
     let towards = dot(normal, ray.direction);
     if shape.class == ray.class {
@@ -78,6 +93,14 @@ fn half_space<R: Real>(shape: &Shape<R>, ray: &Ray<R>) -> Interval<R> {
         };
     }
     let above = dot(normal, sub(ray.origin, shape.centre));
+    if ends_here {
+        let distance = ray.end.distance;
+        return if above <= R::ZERO {
+            (-R::INFINITY, distance)
+        } else {
+            (distance, R::INFINITY)
+        };
+    }
     // Three products and two sums: below this size the sign of `towards` is rounding, and the ray counts as parallel.
     let terms = (normal[0] * ray.direction[0]).abs()
         + (normal[1] * ray.direction[1]).abs()

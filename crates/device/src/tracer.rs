@@ -54,6 +54,7 @@ struct Scene<R> {
     nodes: Buffer<packed_structs::Node>,
     materials: Buffer<packed_structs::Material<R>>,
     lights: Buffer<packed_structs::Light<R>>,
+    touches: Buffer<packed_structs::Touch<R>>,
     samples: Buffer<[R; 2]>,
     reach: Buffer<R>,
 }
@@ -69,6 +70,7 @@ impl<R: Real + Plain> Scene<R> {
             nodes: session.upload(&packed.nodes)?,
             materials: session.upload(&packed.materials)?,
             lights: session.upload(&packed.lights)?,
+            touches: session.upload(&packed.touches)?,
             samples: session.upload(&packed.samples)?,
             reach: session.upload(&packed.reach)?,
         })
@@ -99,7 +101,7 @@ impl<R: Real + Plain> OpenCl<R> {
         end: u32,
     ) -> Result<u64, DeviceError> {
         let scene = &self.scene;
-        let args: [Arg<'_>; 14] = [
+        let args: [Arg<'_>; 15] = [
             frame.into(),
             (&scene.shapes).into(),
             (&scene.leaves).into(),
@@ -109,6 +111,7 @@ impl<R: Real + Plain> OpenCl<R> {
             (&scene.nodes).into(),
             (&scene.materials).into(),
             (&scene.lights).into(),
+            (&scene.touches).into(),
             (&scene.samples).into(),
             (&scene.reach).into(),
             outcomes.into(),

@@ -61,6 +61,7 @@ fn features(bits: u32) -> Features {
         programs: on(3),
         hierarchy: on(4),
         lights: on(5),
+        touches: on(13),
         highlights: on(6),
         reflections: on(7),
         refractions: on(8),
@@ -73,7 +74,7 @@ fn features(bits: u32) -> Features {
 }
 
 /// Switches in the table above.
-const SWITCHES: u32 = 13;
+const SWITCHES: u32 = 14;
 
 /// Sets of switches in which every two of them take all four states together; so does each alone.
 fn covering_sets() -> Vec<u32> {

@@ -18,6 +18,8 @@ pub struct Features {
     pub hierarchy: bool,
     /// There are lights, hence shadow rays.
     pub lights: bool,
+    /// Some light lies on a surface.
+    pub touches: bool,
     /// Some material shows highlights.
     pub highlights: bool,
     /// Some ray may be mirrored.
@@ -64,6 +66,7 @@ impl Features {
                 .any(|island| island.program.1 - island.program.0 > 1),
             hierarchy: !plan.nodes.is_empty(),
             lights: !plan.lights.is_empty(),
+            touches: !plan.touches.is_empty(),
             highlights: !plan.lights.is_empty() && any_paint(|paint| paint.specular != 0.0),
             // Total reflection mirrors too.
             reflections: bounces && any_paint(|paint| paint.reflect != 0.0 || paint.refract != 0.0),
@@ -94,6 +97,7 @@ impl Features {
             programs: true,
             hierarchy: true,
             lights: true,
+            touches: true,
             highlights: true,
             reflections: true,
             refractions: true,
@@ -107,7 +111,7 @@ impl Features {
 
     /// Names and values for a kernel's source, and for people.
     #[must_use]
-    pub fn list(&self) -> [(&'static str, u32); 15] {
+    pub fn list(&self) -> [(&'static str, u32); 16] {
         [
             ("BALLS", self.balls.into()),
             ("ELLIPSOIDS", self.ellipsoids.into()),
@@ -115,6 +119,7 @@ impl Features {
             ("PROGRAMS", self.programs.into()),
             ("HIERARCHY", self.hierarchy.into()),
             ("LIGHTS", self.lights.into()),
+            ("TOUCHES", self.touches.into()),
             ("HIGHLIGHTS", self.highlights.into()),
             ("REFLECTIONS", self.reflections.into()),
             ("REFRACTIONS", self.refractions.into()),

@@ -2,9 +2,9 @@
 
 use scenec_scene::{DVec3, Scene};
 
+use crate::PlanError;
 use crate::flatten::Flat;
-use crate::shapes::ShapeKind;
-use crate::{PlanError, shapes};
+use crate::shapes::{Shape, ShapeKind};
 
 /// What the tracers need to know of the camera and the sky.
 #[derive(Clone, Debug)]
@@ -40,6 +40,17 @@ pub struct Lamp {
     pub position: DVec3,
     /// Its colour I.
     pub colour: DVec3,
+    /// First and one past the last of [`crate::Plan::touches`] that tell which surfaces it lies on.
+    pub touches: (u32, u32),
+}
+
+/// A surface that a light lies on. A ray to that light meets this surface at the light itself, not a rounding before it.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Touch {
+    /// The surface's class.
+    pub class: u32,
+    /// The light on the surface's own unit sphere; of no meaning for a half-space.
+    pub local: DVec3,
 }
 
 /// A material's numbers: see the scene's material for their meaning.
@@ -104,7 +115,7 @@ pub(crate) fn place(scene: &Scene, flat: &Flat) -> Result<Place, PlanError> {
     })
 }
 
-fn distance(plane: &shapes::Shape, origin: DVec3) -> f64 {
+fn distance(plane: &Shape, origin: DVec3) -> f64 {
     plane.normal().dot(plane.centre - origin).abs()
 }
 
@@ -143,6 +154,7 @@ pub(crate) fn lamps(scene: &Scene, place: &Place) -> Vec<Lamp> {
         Lamp {
             position,
             colour: light.colour,
+            touches: (0, 0),
         }
     };
     // A black light adds nothing, wherever it stands.
@@ -152,6 +164,26 @@ pub(crate) fn lamps(scene: &Scene, place: &Place) -> Vec<Lamp> {
         .filter(|light| light.colour != DVec3::ZERO)
         .map(lamp)
         .collect()
+}
+
+/// Finds the surfaces that the lights lie on.
+pub(crate) fn touches(lamps: &mut [Lamp], shapes: &[Shape]) -> Vec<Touch> {
+    let mut touches: Vec<Touch> = Vec::new();
+    for lamp in lamps {
+        let first = touches.len();
+        for shape in shapes {
+            if let Some(local) = shape.touched_by(lamp.position)
+                && touches[first..].iter().all(|touch| touch.class != shape.class)
+            {
+                touches.push(Touch {
+                    class: shape.class,
+                    local,
+                });
+            }
+        }
+        lamp.touches = (first as u32, touches.len() as u32);
+    }
+    touches
 }
 
 pub(crate) fn paints(scene: &Scene, used: &[scenec_scene::MaterialId]) -> Vec<Paint> {

@@ -20,7 +20,7 @@ use scenec_scene::{DVec3, Scene};
 
 pub use bounds::Box3;
 pub use features::Features;
-pub use frame::{Lamp, Paint, View};
+pub use frame::{Lamp, Paint, Touch, View};
 pub use packed::{Field, FieldKind, LAYOUTS, Layout, Packed, packed_structs};
 pub use program::{Instruction, OPERATION_SHIFT, evaluate};
 pub use real::Real;
@@ -39,6 +39,8 @@ pub struct Plan {
     pub view: View,
     /// The lights.
     pub lights: Vec<Lamp>,
+    /// The surfaces that lights lie on.
+    pub touches: Vec<Touch>,
     /// The materials that some leaf uses.
     pub materials: Vec<Paint>,
     /// The distinct surfaces.
@@ -125,7 +127,8 @@ pub fn plan(scene: &Scene) -> Result<Plan, PlanError> {
     let flat = flatten::flatten(scene, &facts)?;
     let place = frame::place(scene, &flat)?;
     let flat = bvh::arrange(flat.relative(&place));
-    let lights = frame::lamps(scene, &place);
+    let mut lights = frame::lamps(scene, &place);
+    let touches = frame::touches(&mut lights, &flat.shapes);
     let materials = frame::paints(scene, &flat.materials);
     let mut plan = Plan {
         reach: frame::reach(scene, &materials, &lights),
@@ -134,6 +137,7 @@ pub fn plan(scene: &Scene) -> Result<Plan, PlanError> {
         scale: place.scale,
         view: frame::view(scene, &place),
         lights,
+        touches,
         materials,
         shapes: flat.shapes,
         leaves: flat.leaves,

@@ -210,6 +210,19 @@ packed! {
         position: [R; 3],
         /// Its colour.
         colour: [R; 3],
+        /// First of its touches.
+        touches: u32,
+        /// One past the last of its touches.
+        touches_end: u32,
+    }
+    /// A surface that a light lies on.
+    Touch<R> {
+        /// The light on the surface's own unit sphere.
+        local_point: [R; 3],
+        /// The surface's class.
+        class: u32,
+        /// Fills up to the alignment of a double.
+        unused: u32,
     }
     /// What a device says of one pixel.
     Outcome<R> {
@@ -279,7 +292,7 @@ packed! {
     }
 }
 
-use packed_structs::{Frame, Island, Leaf, Light, Material, Node, Shape};
+use packed_structs::{Frame, Island, Leaf, Light, Material, Node, Shape, Touch};
 
 /// The plan in one precision.
 #[derive(Clone, Debug)]
@@ -302,6 +315,8 @@ pub struct Packed<R> {
     pub materials: Vec<Material<R>>,
     /// Lights.
     pub lights: Vec<Light<R>>,
+    /// Surfaces that lights lie on.
+    pub touches: Vec<Touch<R>>,
     /// Sample points, measured from the pixel's centre.
     pub samples: Vec<[R; 2]>,
     /// Entry j bounds what a ray with j bounces left brings back.
@@ -348,12 +363,14 @@ impl Plan {
                     colour: vector(paint.colour.to_array()),
                 })
                 .collect(),
-            lights: self
-                .lights
+            lights: self.lights.iter().map(packed_light).collect(),
+            touches: self
+                .touches
                 .iter()
-                .map(|lamp| Light {
-                    position: vector(lamp.position.to_array()),
-                    colour: vector(lamp.colour.to_array()),
+                .map(|touch| Touch {
+                    local_point: vector(touch.local.to_array()),
+                    class: touch.class,
+                    unused: 0,
                 })
                 .collect(),
             samples: self.view.samples.iter().map(|point| point.map(R::of)).collect(),
@@ -392,6 +409,15 @@ impl<R> Packed<R> {
         self.frame.lights = uint(self.lights.len());
         self.frame.nodes = uint(self.nodes.len());
         self
+    }
+}
+
+fn packed_light<R: Real>(lamp: &crate::Lamp) -> Light<R> {
+    Light {
+        position: vector(lamp.position.to_array()),
+        colour: vector(lamp.colour.to_array()),
+        touches: lamp.touches.0,
+        touches_end: lamp.touches.1,
     }
 }
 

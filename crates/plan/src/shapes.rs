@@ -46,6 +46,25 @@ impl Shape {
         }
     }
 
+    /// Where on its own unit sphere the surface has a point, if it is on the surface to within 2^-40 of the sizes that its
+    /// test subtracts: far above their rounding, far below what shows.
+    #[must_use]
+    pub(crate) fn touched_by(&self, point: DVec3) -> Option<DVec3> {
+        let near = (-40.0_f64).exp2();
+        let sizes = point.abs().max_element() + self.centre.abs().max_element();
+        let offset = point - self.centre;
+        if self.kind == ShapeKind::HalfSpace {
+            return (self.normal().dot(offset).abs() <= near * sizes).then_some(DVec3::ZERO);
+        }
+        let local = self.inverse * offset;
+        let largest = self
+            .inverse
+            .to_cols_array()
+            .into_iter()
+            .fold(0.0_f64, |most, x| most.max(x.abs()));
+        ((local.length() - 1.0).abs() <= near * (1.0 + largest * sizes)).then(|| local.normalize())
+    }
+
     /// The outward unit normal of a half-space.
     #[must_use]
     pub fn normal(&self) -> DVec3 {

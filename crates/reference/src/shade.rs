@@ -117,7 +117,7 @@ impl World {
         let material = self.material(hit.edge.material);
         let normal = facing(hit);
         let mut colour = material.ambient * material.colour * self.ambient;
-        for light in &self.lights {
+        for (number, light) in self.lights.iter().enumerate() {
             let way = light.position - hit.edge.spot.point;
             let to_light = unit(way);
             let Some(l) = to_light.filter(|l| normal.dot(*l) > 0.0) else {
@@ -125,7 +125,7 @@ impl World {
                 continue;
             };
             tally.shadow();
-            let line = Line::from_surface(hit.edge.spot, way);
+            let line = Line::from_surface(hit.edge.spot, way).to_light(number);
             // The light stands at t = 1.
             if self
                 .tree

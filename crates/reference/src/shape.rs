@@ -13,6 +13,8 @@ pub(crate) struct Line {
     pub(crate) direction: DVec3,
     /// The surface that the origin is on, if it is known to be on one.
     pub(crate) start: Option<Spot>,
+    /// Which light stands where t is 1, if one does.
+    pub(crate) light: Option<usize>,
 }
 
 impl Line {
@@ -22,6 +24,7 @@ impl Line {
             origin,
             direction,
             start: None,
+            light: None,
         }
     }
 
@@ -31,6 +34,15 @@ impl Line {
             origin: spot.point,
             direction,
             start: Some(spot),
+            light: None,
+        }
+    }
+
+    /// The same line, of which a light stands at t = 1.
+    pub(crate) fn to_light(self, number: usize) -> Self {
+        Self {
+            light: Some(number),
+            ..self
         }
     }
 }
@@ -69,15 +81,34 @@ impl Shape {
     }
 
     /// Whether the line begins in the shape at t = -infinity, and its crossings in order. `start` is the place where
-    /// t is 0, if the origin is on this very surface.
-    pub(crate) fn cross(&self, line: &Line, start: Option<DVec3>) -> (bool, Vec<Crossing>) {
+    /// t is 0, if the origin is on this very surface, and `end` the place where t is 1, if the light there is.
+    pub(crate) fn cross(&self, line: &Line, start: Option<DVec3>, end: Option<DVec3>) -> (bool, Vec<Crossing>) {
         match *self {
             Self::Ball(transform) => {
                 let crossings =
-                    ball(&transform, line, start).filter(|[a, b]| a.0 < b.0 && a.0.is_finite() && b.0.is_finite());
+                    ball(&transform, line, start, end).filter(|[a, b]| a.0 < b.0 && a.0.is_finite() && b.0.is_finite());
                 (false, crossings.map_or_else(Vec::new, |both| both.to_vec()))
             }
-            Self::Half { normal, centre, below } => half(normal, centre, below, line, start),
+            Self::Half { normal, centre, below } => half(normal, centre, below, line, start, end),
+        }
+    }
+
+    /// The place of a world point that is on the surface, to 2^-40 of the numbers that tell.
+    pub(crate) fn place(&self, point: DVec3) -> Option<DVec3> {
+        let near = 2f64.powi(-40);
+        match *self {
+            Self::Ball(transform) => {
+                let place = transform.inverse * (point - transform.centre);
+                let rows = transform.inverse.transpose();
+                let stretch = rows.x_axis.length().max(rows.y_axis.length()).max(rows.z_axis.length());
+                let sizes = stretch * (point.length() + transform.centre.length());
+                ((place.length() - 1.0).abs() <= near * (1.0 + sizes)).then(|| place.normalize())
+            }
+            Self::Half { normal, centre, .. } => {
+                let (offset, sizes) = (point - centre, point.length() + centre.length());
+                let height = normal.dot(offset);
+                (height.abs() <= near * sizes).then(|| offset - height * normal)
+            }
         }
     }
 
@@ -108,7 +139,9 @@ impl Shape {
 /// From a known place p on the sphere, |p + s d| = 1 says s (2 p.d + s d.d) = 0, as |p| = 1: one root is 0, exactly, and
 /// the other is -2 p.d / d.d. Otherwise the roots stand at equal distances from the point of the line that is nearest to the
 /// centre, found twice: the second time takes away what rounding left along the line the first time.
-fn ball(transform: &Transform, line: &Line, start: Option<DVec3>) -> Option<[Crossing; 2]> {
+///
+/// The same holds from a known place at t = 1, where s counts from there; from two known places, both roots are known.
+fn ball(transform: &Transform, line: &Line, start: Option<DVec3>, end: Option<DVec3>) -> Option<[Crossing; 2]> {
     let direction = transform.inverse * line.direction;
     // By its largest component, so that no square leaves the range of a double.
     let size = direction.abs().max_element();
@@ -117,11 +150,18 @@ fn ball(transform: &Transform, line: &Line, start: Option<DVec3>) -> Option<[Cro
     }
     let d = direction / size;
     let square = d.dot(d);
-    if let Some(place) = start {
+    let known = |t: f64, place: DVec3| {
         let s = -2.0 * place.dot(d) / square;
-        let other = (s / size, unit(place + s * d)?);
-        let zero = (0.0, place);
-        return Some(if s < 0.0 { [other, zero] } else { [zero, other] });
+        let other = (t + s / size, unit(place + s * d)?);
+        let here = (t, place);
+        Some(if s < 0.0 { [other, here] } else { [here, other] })
+    };
+    match (start, end) {
+        // Outwards from the start the light on the same ball is out of sight, and the crossing behind counts.
+        (Some(start), Some(end)) if start.dot(d) < 0.0 => return Some([(0.0, start), (1.0, end)]),
+        (Some(start), _) => return known(0.0, start),
+        (None, Some(end)) => return known(1.0, end),
+        (None, None) => {}
     }
     let origin = transform.inverse * (line.origin - transform.centre);
     let along = -origin.dot(d) / square;
@@ -138,17 +178,28 @@ fn ball(transform: &Transform, line: &Line, start: Option<DVec3>) -> Option<[Cro
 }
 
 /// Places are offsets in the plane from its point `centre`.
-fn half(normal: DVec3, centre: DVec3, below: bool, line: &Line, start: Option<DVec3>) -> (bool, Vec<Crossing>) {
+fn half(
+    normal: DVec3,
+    centre: DVec3,
+    below: bool,
+    line: &Line,
+    start: Option<DVec3>,
+    end: Option<DVec3>,
+) -> (bool, Vec<Crossing>) {
     let rate = normal.dot(line.direction);
     let offset = line.origin - centre;
     let height = if start.is_some() { 0.0 } else { normal.dot(offset) };
-    let t = -height / rate;
+    // With a known end the plane is crossed at t = 1, from the side of the origin to the other.
+    let (rate, t) = match (start, end) {
+        (None, Some(_)) if height != 0.0 => (-height, 1.0),
+        _ => (rate, -height / rate),
+    };
     if rate == 0.0 || !t.is_finite() {
         // Along the plane, or as good as that: all of the line or nothing.
         let all = if below { height <= 0.0 } else { height >= 0.0 };
         return (all, Vec::new());
     }
-    let place = start.unwrap_or_else(|| {
+    let place = start.or(end).unwrap_or_else(|| {
         let reached = offset + t * line.direction;
         reached - normal * normal.dot(reached)
     });
@@ -175,7 +226,7 @@ mod tests {
 
     fn check(shape: Shape, origin: [f64; 3], direction: [f64; 3], before: bool, expect: &[f64]) {
         let line = Line::new(origin.into(), direction.into());
-        let (inside, crossings) = shape.cross(&line, None);
+        let (inside, crossings) = shape.cross(&line, None, None);
         assert_eq!((inside, crossings.len()), (before, expect.len()), "{shape:?} {line:?}");
         for ((t, place), expect) in crossings.iter().zip(expect) {
             assert!((t - expect).abs() <= 1e-15 * expect.abs(), "{t} is not {expect}");
@@ -208,11 +259,11 @@ mod tests {
         );
         let place = DVec3::new(0.6, 0.8, 0.0);
         let across = Line::new(far.point(place), -DVec3::X);
-        let (_, crossings) = far.cross(&across, Some(place));
+        let (_, crossings) = far.cross(&across, Some(place), None);
         assert_eq!(crossings[0].0, 0.0);
         assert!((crossings[1].0 - 1.2e-3).abs() < 1e-18);
         assert!((crossings[1].1 - DVec3::new(-0.6, 0.8, 0.0)).length() < 1e-15);
-        let (before, crossings) = GROUND.cross(&Line::new(DVec3::Y * 1e-9, DVec3::Y), Some(DVec3::ZERO));
+        let (before, crossings) = GROUND.cross(&Line::new(DVec3::Y * 1e-9, DVec3::Y), Some(DVec3::ZERO), None);
         assert_eq!((before, crossings), (true, vec![(0.0, DVec3::ZERO)]));
     }
 }

@@ -2,7 +2,7 @@
 
 use std::mem;
 
-use scenec_scene::{MaterialId, Op, Scene, SolidId, SolidKind};
+use scenec_scene::{DVec3, MaterialId, Op, Scene, SolidId, SolidKind};
 
 use crate::list::{Edge, List, Spot};
 use crate::shape::{Line, Shape};
@@ -14,6 +14,8 @@ pub(crate) struct Tree {
     nodes: Vec<Node>,
     /// For each node the last one that takes it as an operand: its list is of no use after that.
     last_use: Vec<usize>,
+    /// For each light the families that it is on, and where.
+    lights_on: Vec<Vec<(u32, DVec3)>>,
 }
 
 #[derive(Clone, Debug)]
@@ -75,7 +77,12 @@ impl Tree {
                 },
             });
         }
-        Self { nodes, last_use }
+        let lights_on = scene.lights.iter().map(|light| on(&nodes, light.position)).collect();
+        Self {
+            nodes,
+            last_use,
+            lights_on,
+        }
     }
 
     /// The materials that leaves and paints name.
@@ -88,6 +95,7 @@ impl Tree {
 
     /// What the line sees of the submitted solid.
     pub(crate) fn along(&self, line: &Line) -> List {
+        let ends: &[_] = line.light.map_or(&[], |light| &self.lights_on[light]);
         let mut lists: Vec<List> = Vec::with_capacity(self.nodes.len());
         for (here, node) in self.nodes.iter().enumerate() {
             let list = match node {
@@ -96,7 +104,7 @@ impl Tree {
                     family,
                     shape,
                     material,
-                } => leaf_list(*leaf, *family, shape, *material, line),
+                } => leaf_list(*leaf, *family, shape, *material, line, ends),
                 Node::Combine { op, left, right } => {
                     let list = List::combine(*op, &lists[*left], &lists[*right]);
                     self.forget(&mut lists, *left, here);
@@ -144,9 +152,31 @@ fn reached(scene: &Scene) -> Vec<bool> {
     reached
 }
 
-fn leaf_list(leaf: SolidId, family: u32, shape: &Shape, material: MaterialId, line: &Line) -> List {
+/// The families whose surface a point is on, each once, with its place there.
+fn on(nodes: &[Node], point: DVec3) -> Vec<(u32, DVec3)> {
+    let mut families: Vec<(u32, DVec3)> = Vec::new();
+    for node in nodes {
+        if let Node::Leaf { family, shape, .. } = node
+            && let Some(place) = shape.place(point)
+            && families.iter().all(|(known, _)| known != family)
+        {
+            families.push((*family, place));
+        }
+    }
+    families
+}
+
+fn leaf_list(
+    leaf: SolidId,
+    family: u32,
+    shape: &Shape,
+    material: MaterialId,
+    line: &Line,
+    ends: &[(u32, DVec3)],
+) -> List {
     let start = line.start.filter(|start| start.family == family);
-    let (before, crossings) = shape.cross(line, start.map(|start| start.place));
+    let end = ends.iter().find(|(on, _)| *on == family).map(|(_, place)| *place);
+    let (before, crossings) = shape.cross(line, start.map(|start| start.place), end);
     let edge = |(t, place)| Edge {
         t,
         leaf,
