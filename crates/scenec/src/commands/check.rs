@@ -33,10 +33,11 @@ impl Check {
         let mut out = io::BufWriter::new(io::stderr().lock());
         let mut exit = Exit::Clean;
         for file in &self.files {
-            match self.check(file, &mut out) {
-                Ok(found) => exit = exit.max(found),
+            let (found, written) = self.check(file, &mut out);
+            exit = exit.max(found);
+            if written.is_err() {
                 // Whoever read the reports has gone away; what was found so far still counts.
-                Err(_) => return exit,
+                return exit;
             }
         }
         // As above: there is nobody left to tell.
@@ -44,19 +45,18 @@ impl Check {
         exit
     }
 
-    fn check(&self, file: &Path, out: &mut impl Write) -> io::Result<Exit> {
+    /// How a file fared, and whether that could be written.
+    fn check(&self, file: &Path, out: &mut impl Write) -> (Exit, io::Result<()>) {
         let (source, mut diagnostics) = match input::read(file) {
             Ok(read) => read,
-            Err(message) => {
-                report::failure(out, &message)?;
-                return Ok(Exit::Unusable);
-            }
+            Err(message) => return (Exit::Unusable, report::failure(out, &message)),
         };
         diagnostics.extend(analyse(&source).1);
         diagnostics.sort_by_key(|finding| finding.span().start);
         let tally = Tally::of(&diagnostics);
-        report::print(out, &source, &diagnostics, &self.style)?;
-        report::summary(out, &source, tally)?;
-        Ok(if tally.errors > 0 { Exit::Errors } else { Exit::Clean })
+        let written =
+            report::print(out, &source, &diagnostics, &self.style).and_then(|()| report::summary(out, &source, tally));
+        let exit = if tally.errors > 0 { Exit::Errors } else { Exit::Clean };
+        (exit, written)
     }
 }
