@@ -49,7 +49,8 @@ pub(crate) enum Token {
     Minus,
     #[token("+")]
     Plus,
-    /// A run of characters that are no token; made here, not by a pattern.
+    /// A run of characters that are no token; a rotation about no axis is one run, not two.
+    #[regex(r"#\p{XID_Continue}*=?", priority = 1)]
     Bad,
 }
 
@@ -146,6 +147,10 @@ mod tests {
         );
         check("!é?=_m", &[(Bang, "!"), (Name, "é"), (SetMaterial, "?="), (Name, "_m")]);
         check("!u<=", &[(Bang, "!"), (Name, "u"), (Submit, "<=")]);
+        check(
+            "#w= #x #",
+            &[(Token::Bad, "#w="), (Token::Bad, "#x"), (Token::Bad, "#")],
+        );
         check("?x#y=", &[(Question, "?"), (Name, "x"), (RotateY, "#y=")]);
     }
 
