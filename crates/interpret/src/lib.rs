@@ -3,6 +3,7 @@
 //! Owns binding, the hierarchy of objects, the settings and every finding about them, and keeps the symbol table that
 //! an editor reads. It must not know disks, renderers or editors.
 
+mod bindings;
 mod finish;
 mod interpret;
 mod names;

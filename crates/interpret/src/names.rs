@@ -20,6 +20,24 @@ pub(crate) enum Binding<T> {
     Bound(T),
 }
 
+/// Why a reference leads nowhere.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Gap {
+    /// Nothing has that name; the statement is ignored with a warning.
+    Unknown,
+    /// An error already reported is in the way; the statement is passed over.
+    Poisoned,
+}
+
+/// A reference to a name that was not bound, reported at the end of the file, when it is known whether it ever is.
+pub(crate) struct Unknown {
+    pub(crate) space: Space,
+    pub(crate) id: NameId,
+    pub(crate) span: Span,
+    /// The statement before it that would have bound the name, but was ignored.
+    pub(crate) ignored: Option<Span>,
+}
+
 /// A name and what became of it.
 pub(crate) struct Entry<'a, T> {
     pub(crate) name: &'a str,
@@ -91,6 +109,32 @@ impl<'a, T> Names<'a, T> {
         });
         symbols.record(self.entries[id].symbol, span, role);
         id
+    }
+
+    /// The number of the name at `span`, which a statement reads or edits; notes in `unknown` if nothing binds it.
+    pub(crate) fn look_up(
+        &mut self,
+        text: &'a str,
+        span: Span,
+        role: Role,
+        symbols: &mut SymbolTable,
+        unknown: &mut Vec<Unknown>,
+    ) -> Result<NameId, Gap> {
+        let id = self.mention(text, span, role, symbols);
+        let entry = &self.entries[id];
+        match entry.binding {
+            Binding::Bound(_) => Ok(id),
+            Binding::Poisoned => Err(Gap::Poisoned),
+            Binding::Absent => {
+                unknown.push(Unknown {
+                    space: self.space,
+                    id,
+                    span,
+                    ignored: entry.ignored,
+                });
+                Err(Gap::Unknown)
+            }
+        }
     }
 
     /// The entry of a name, if it stood anywhere before.

@@ -1,86 +1,12 @@
 //! What is known at the current line: the four name spaces and the scene so far.
 
-use scenec_scene::{DEFAULT_MATERIAL, Light, Material, MaterialId, Solid, SolidId, SolidKind, Step, StepId};
+use scenec_scene::{DEFAULT_MATERIAL, Light, Material, Solid, SolidId, SolidKind, Step, StepId};
 use scenec_syntax::{Space, Value, ValueKind};
 use scenec_text::{Code, Diagnostic, Severity, Span};
 
-use crate::names::{Binding, NameId, Names};
+use crate::bindings::{Lamp, Object, Paint, Variable};
+use crate::names::{Gap, NameId, Names, Unknown};
 use crate::{Role, SymbolTable};
-
-/// Why a reference leads nowhere.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Gap {
-    /// Nothing has that name; the statement is ignored with a warning.
-    Unknown,
-    /// An error already reported is in the way; the statement is passed over.
-    Poisoned,
-}
-
-/// A reference to a name that was not bound, reported at the end of the file, when it is known whether it ever is.
-pub(crate) struct Unknown {
-    pub(crate) space: Space,
-    pub(crate) id: NameId,
-    pub(crate) span: Span,
-    /// The statement before it that would have bound the name, but was ignored.
-    pub(crate) ignored: Option<Span>,
-}
-
-/// What a variable is bound to.
-pub(crate) struct Variable {
-    pub(crate) value: f64,
-    /// The value as written.
-    pub(crate) written: Span,
-    /// The statement.
-    pub(crate) line: Span,
-    /// Whether anything read this value.
-    pub(crate) used: bool,
-    /// The last reading of this or an earlier value of the name.
-    pub(crate) last_read: Option<Span>,
-}
-
-/// What an object's name is bound to.
-pub(crate) struct Object {
-    pub(crate) solid: SolidId,
-    /// Whether a combination refers to `solid`, so that an edit must change a copy.
-    pub(crate) frozen: bool,
-    /// The statement.
-    pub(crate) line: Span,
-    pub(crate) used: bool,
-    /// The last combination that took it.
-    pub(crate) taken: Option<Span>,
-    /// The edits since then.
-    pub(crate) stale: Vec<Span>,
-}
-
-impl Object {
-    pub(crate) const fn new(solid: SolidId, line: Span) -> Self {
-        Self {
-            solid,
-            frozen: false,
-            line,
-            used: false,
-            taken: None,
-            stale: Vec::new(),
-        }
-    }
-}
-
-/// What a material's name is bound to.
-pub(crate) struct Paint {
-    pub(crate) id: MaterialId,
-    /// The statement.
-    pub(crate) line: Span,
-    pub(crate) used: bool,
-    /// The last statement that gave this or an earlier material of the name to an object.
-    pub(crate) taken: Option<Span>,
-}
-
-/// What a light's name is bound to.
-pub(crate) struct Lamp {
-    pub(crate) index: usize,
-    /// The statement.
-    pub(crate) line: Span,
-}
 
 /// What became of submissions so far.
 #[derive(Default)]
@@ -139,40 +65,14 @@ impl<'a> State<'a> {
 
     /// The object that a statement uses or edits, if there is one.
     pub(crate) fn object(&mut self, span: Span, role: Role) -> Result<NameId, Gap> {
-        let id = self.objects.mention(self.text, span, role, &mut self.symbols);
-        let entry = &self.objects.entries[id];
-        match entry.binding {
-            Binding::Bound(_) => Ok(id),
-            Binding::Poisoned => Err(Gap::Poisoned),
-            Binding::Absent => {
-                self.unknown.push(Unknown {
-                    space: Space::Object,
-                    id,
-                    span,
-                    ignored: entry.ignored,
-                });
-                Err(Gap::Unknown)
-            }
-        }
+        self.objects
+            .look_up(self.text, span, role, &mut self.symbols, &mut self.unknown)
     }
 
     /// The material that a statement uses, if there is one.
     pub(crate) fn paint(&mut self, span: Span) -> Result<NameId, Gap> {
-        let id = self.paints.mention(self.text, span, Role::Use, &mut self.symbols);
-        let entry = &self.paints.entries[id];
-        match entry.binding {
-            Binding::Bound(_) => Ok(id),
-            Binding::Poisoned => Err(Gap::Poisoned),
-            Binding::Absent => {
-                self.unknown.push(Unknown {
-                    space: Space::Material,
-                    id,
-                    span,
-                    ignored: entry.ignored,
-                });
-                Err(Gap::Unknown)
-            }
-        }
+        self.paints
+            .look_up(self.text, span, Role::Use, &mut self.symbols, &mut self.unknown)
     }
 
     /// The numbers of a statement's values; every name among them that is not bound is reported, once a statement.
@@ -195,29 +95,24 @@ impl<'a> State<'a> {
             ValueKind::Pi => return Ok(value.signed(std::f64::consts::PI)),
             ValueKind::Name(span) => span,
         };
-        let id = self.variables.mention(self.text, span, Role::Use, &mut self.symbols);
-        let entry = &mut self.variables.entries[id];
-        match &mut entry.binding {
-            Binding::Bound(variable) => {
-                variable.used = true;
-                variable.last_read = Some(span);
-                Ok(value.signed(variable.value))
-            }
-            Binding::Poisoned => Err(Gap::Poisoned),
-            Binding::Absent => {
-                let ignored = entry.ignored;
-                let same = |other: &Unknown| other.space == Space::Variable && other.id == id;
-                if !self.unknown.iter().skip(reported).any(same) {
-                    self.unknown.push(Unknown {
-                        space: Space::Variable,
-                        id,
-                        span,
-                        ignored,
-                    });
-                }
-                Err(Gap::Unknown)
-            }
+        let before = self.unknown.len();
+        let id = self
+            .variables
+            .look_up(self.text, span, Role::Use, &mut self.symbols, &mut self.unknown);
+        let (earlier, new) = self.unknown.split_at(before);
+        let again = |new: &Unknown| {
+            earlier
+                .iter()
+                .skip(reported)
+                .any(|other| (other.space, other.id) == (new.space, new.id))
+        };
+        if new.first().is_some_and(again) {
+            self.unknown.pop();
         }
+        let variable = self.variables.entries[id?].bound_mut().ok_or(Gap::Poisoned)?;
+        variable.used = true;
+        variable.last_read = Some(span);
+        Ok(value.signed(variable.value))
     }
 
     /// Adds a solid.

@@ -3,8 +3,9 @@
 use scenec_scene::{SETTINGS, SettingInfo, Settings};
 use scenec_text::{Code, Diagnostic, Span};
 
+use crate::bindings::Variable;
 use crate::names::Binding;
-use crate::state::{State, Variable};
+use crate::state::State;
 
 /// What a file that lacks a required setting may paste in.
 const EXAMPLES: &[(&str, &str)] = &[

@@ -3,8 +3,8 @@
 use scenec_syntax::{Space, quote};
 use scenec_text::{Code, Diagnostic, Span};
 
-use crate::names::Names;
-use crate::state::{State, Unknown};
+use crate::names::{Names, Unknown};
+use crate::state::State;
 use crate::suggest::Suggestions;
 
 /// Reports each of them, with the line that would have helped or the name that may have been meant.

@@ -4,8 +4,9 @@ use scenec_scene::{SETTINGS, setting};
 use scenec_syntax::{Space, quote};
 use scenec_text::{Code, Diagnostic};
 
+use crate::bindings::{Paint, Variable};
 use crate::names::Binding;
-use crate::state::{Paint, State, Variable};
+use crate::state::State;
 use crate::statements::report_stale;
 use crate::suggest::Suggestions;
 

@@ -6,7 +6,8 @@ use scenec_text::Span;
 
 use super::operand;
 use crate::Role;
-use crate::state::{Gap, State};
+use crate::names::Gap;
+use crate::state::State;
 
 pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, operator: Operator, operands: [Span; 2]) {
     let id = state

@@ -5,7 +5,8 @@ use scenec_syntax::{Space, Value};
 use scenec_text::Span;
 
 use crate::Role;
-use crate::state::{Lamp, State};
+use crate::bindings::Lamp;
+use crate::state::State;
 
 pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, values: &[Value; 6]) {
     let id = state.lamps.mention(state.text, name, Role::Define, &mut state.symbols);

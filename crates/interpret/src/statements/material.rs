@@ -5,8 +5,9 @@ use scenec_syntax::{Space, Value, quote};
 use scenec_text::{Code, Diagnostic, Span};
 
 use crate::Role;
-use crate::names::Binding;
-use crate::state::{Gap, Paint, State};
+use crate::bindings::Paint;
+use crate::names::{Binding, Gap};
+use crate::state::State;
 
 pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, values: &[Value; 10]) {
     let id = state.paints.mention(state.text, name, Role::Define, &mut state.symbols);

@@ -4,8 +4,9 @@ use scenec_scene::SolidId;
 use scenec_syntax::{Space, quote};
 use scenec_text::{Code, Diagnostic, Span};
 
+use crate::bindings::Object;
 use crate::names::{Binding, NameId};
-use crate::state::{Object, State};
+use crate::state::State;
 
 /// Binds an object's name, and reports what the old binding leaves undone.
 pub(super) fn bind(state: &mut State<'_>, id: NameId, solid: SolidId, line: Span) {

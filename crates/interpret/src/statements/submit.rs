@@ -5,7 +5,8 @@ use scenec_text::{Code, Diagnostic, Span};
 
 use super::operand;
 use crate::Role;
-use crate::state::{Gap, State};
+use crate::names::Gap;
+use crate::state::State;
 
 pub(super) fn run(state: &mut State<'_>, line: Span, name: Span) {
     match state.object(name, Role::Use) {

@@ -5,8 +5,8 @@ use scenec_syntax::quote;
 use scenec_text::{Code, Diagnostic, Span};
 
 use super::operand;
-use crate::names::NameId;
-use crate::state::{Gap, State};
+use crate::names::{Gap, NameId};
+use crate::state::State;
 
 /// Transforms the object, unless it or a value of the statement is missing.
 pub(super) fn apply(state: &mut State<'_>, line: Span, object: Result<NameId, Gap>, kind: Result<StepKind, Gap>) {

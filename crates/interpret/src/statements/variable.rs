@@ -4,8 +4,9 @@ use scenec_syntax::{Space, Value};
 use scenec_text::Span;
 
 use crate::Role;
-use crate::names::Binding;
-use crate::state::{Gap, State, Variable};
+use crate::bindings::Variable;
+use crate::names::{Binding, Gap};
+use crate::state::State;
 
 pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, value: Value) {
     let id = state
