@@ -111,6 +111,13 @@ fn one_cause_has_one_report() {
 }
 
 #[test]
+fn a_comment_that_swallowed_a_file_of_carriage_returns_is_told() {
+    let (_, findings) = read(&format!("/ A scene\n{SETTINGS}!a := sphere\n!a <=\n").replace('\n', "\r"));
+    let helps: Vec<_> = findings.iter().filter_map(|finding| finding.help.as_deref()).collect();
+    assert!(helps[0].contains("carriage returns alone"), "{helps:?}");
+}
+
+#[test]
 fn edits_that_do_nothing_are_told() {
     use Code::{AfterSubmission, MaterialRedefined, OperandEdited, OverwrittenUnused, UnusedVariable};
     let m = "?m := 0 0 0 0 0 1 1 1 1 1\n";

@@ -49,7 +49,7 @@ pub(super) fn gather(state: &mut State<'_>, last: Span) -> Option<Settings> {
         }
     }
     if !missing.is_empty() {
-        findings.push(report_missing(&missing, last));
+        findings.push(report_missing(state.text, &missing, last));
         complete = false;
     }
     for finding in findings {
@@ -121,7 +121,7 @@ fn twice(row: &SettingInfo, name: &Variable, alias: &Variable) -> Diagnostic {
     .help("remove one of the two")
 }
 
-fn report_missing(missing: &[(&SettingInfo, Option<Span>)], last: Span) -> Diagnostic {
+fn report_missing(text: &str, missing: &[(&SettingInfo, Option<Span>)], last: Span) -> Diagnostic {
     let names: Vec<_> = missing.iter().map(|(row, _)| format!("`{}`", row.name)).collect();
     let message = match names.as_slice() {
         [one] => format!("the setting {one} is missing"),
@@ -137,6 +137,12 @@ fn report_missing(missing: &[(&SettingInfo, Option<Span>)], last: Span) -> Diagn
         if let Some(ignored) = ignored {
             finding = finding.label(*ignored, format!("this would have set `{}`, but was ignored", row.name));
         }
+    }
+    if text.contains('\r') && !text.contains('\n') {
+        // All of it is one line, which a comment may have swallowed.
+        return finding.help(
+            "lines end at a line feed, and this file has carriage returns alone: save it with LF or CRLF line ends",
+        );
     }
     let lines: Vec<_> = missing
         .iter()
