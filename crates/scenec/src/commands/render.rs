@@ -78,10 +78,8 @@ impl Render {
         match self.render() {
             Ok(()) => Exit::Clean,
             Err(failure) => {
-                if let Some(message) = failure.message() {
-                    // With standard error gone there is nobody left to tell, here and below.
-                    report::failure(&mut io::stderr().lock(), message).unwrap_or_default();
-                }
+                // With standard error gone there is nobody left to tell, here and below.
+                failure.tell(&mut io::stderr().lock()).unwrap_or_default();
                 failure.exit()
             }
         }

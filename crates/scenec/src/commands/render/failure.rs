@@ -1,9 +1,12 @@
 //! Why there is no picture, and what the exit code says of it.
 
+use std::io;
+
 use scenec_device::DeviceError;
 use scenec_picture::TraceError;
 
 use crate::exit::Exit;
+use crate::report;
 
 /// Why there is no picture.
 #[derive(Debug)]
@@ -33,12 +36,12 @@ impl Failure {
         }
     }
 
-    /// What is left to say.
-    pub(super) fn message(&self) -> Option<&str> {
+    /// Says what is left to say.
+    pub(super) fn tell(&self, out: &mut impl io::Write) -> io::Result<()> {
         match self {
-            Self::Errors => None,
-            Self::Unusable(message) | Self::Device(message) => Some(message),
-            Self::Interrupted => Some("stopped; nothing was written"),
+            Self::Errors => Ok(()),
+            Self::Unusable(message) | Self::Device(message) => report::failure(out, message),
+            Self::Interrupted => report::remark(out, "stopped before the picture was complete"),
         }
     }
 }

@@ -100,6 +100,8 @@ impl Attempt<'_> {
             Choice::Auto => match self.options.best() {
                 Some(info) => match self.opencl(info, plan.clone()) {
                     Err(Failure::Device(reason)) if !self.request.watch.stopped() => {
+                        // A compiler's log has many more lines.
+                        let reason = reason.lines().next().unwrap_or_default();
                         (self.warn)(&format!("{} failed, so the cpu takes over: {reason}", info.name));
                         self.cpu(plan)
                     }
