@@ -128,7 +128,10 @@ impl Attempt<'_> {
             Features::of(&plan)
         };
         let mut tracer = scenec_device::tracer(info, &plan, self.options.precision, &features)?;
-        self.finish(tracer.as_mut(), Some(plan), Some(features))
+        let outcome = self.finish(tracer.as_mut(), Some(plan), Some(features));
+        drop(tracer);
+        self.clock.lap("release");
+        outcome
     }
 
     fn finish(

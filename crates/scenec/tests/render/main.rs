@@ -1,0 +1,11 @@
+//! `scenec render`: exit codes, what is written, and what is left alone.
+
+#![allow(clippy::unwrap_used, reason = "a test may stop at once")]
+
+mod devices;
+#[cfg(target_os = "linux")]
+mod interruption;
+mod pictures;
+mod refusals;
+mod reports;
+mod room;
