@@ -27,23 +27,29 @@ fn wait_for_the_handler(child: &Child) {
     panic!("the program never set a handler");
 }
 
-fn check(arguments: &str, times: u32) {
-    let room = Room::new();
-    fs::write(room.path("old.png"), "old").unwrap();
+/// Renders until it is interrupted so many times, and returns what it said.
+fn interrupted(room: &Room, arguments: &str, times: u32) -> String {
     // A shell may have made this test deaf to Ctrl-C, and what is deaf stays deaf.
     let listening = ["env", "--default-signal=INT,TERM,HUP"];
-    let mut command = room.command_through(&listening, &format!("- -o old.png {arguments}"));
+    let mut command = room.command_through(&listening, &format!("- {arguments}"));
     let mut child = command.spawn().unwrap();
     // The scene comes through the pipe: the handler is set once it has ended.
     child.stdin.take().unwrap().write_all(SCENE.as_bytes()).unwrap();
     wait_for_the_handler(&child);
     for _ in 0..times {
-        interrupt(&child);
         thread::sleep(Duration::from_millis(200));
+        interrupt(&child);
     }
     let output = child.wait_with_output().unwrap();
-    let words = String::from_utf8_lossy(&output.stderr);
+    let words = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(130), "{arguments}: {words}");
+    words
+}
+
+fn check(arguments: &str, times: u32) {
+    let room = Room::new();
+    fs::write(room.path("old.png"), "old").unwrap();
+    let words = interrupted(&room, &format!("-o old.png {arguments}"), times);
     assert_eq!(fs::read(room.path("old.png")).unwrap(), b"old");
     assert_eq!(room.made(), ["old.png"]);
     assert!(
@@ -61,4 +67,12 @@ fn ctrl_c_leaves_nothing_behind() {
 #[test]
 fn a_second_ctrl_c_does_not_wait() {
     check("--size 4000x4000 --samples 4096 --raydepth 1024 --device cpu", 2);
+}
+
+#[test]
+fn a_pipe_that_nobody_reads_is_given_up() {
+    let room = Room::new();
+    let mut make = Command::new("mkfifo");
+    assert!(make.arg(room.path("pipe.png")).status().unwrap().success());
+    interrupted(&room, "-o pipe.png --device cpu", 2);
 }

@@ -51,7 +51,10 @@ pub(super) struct Target {
 
 #[derive(Debug)]
 enum Place {
+    /// A file, there already or not.
     File(PathBuf),
+    /// What has a name and is no file, such as a pipe.
+    Stream(PathBuf),
     Standard,
 }
 
@@ -60,6 +63,8 @@ impl TargetOptions {
     pub(super) fn target(&self, input: &Path) -> Result<Target, Failure> {
         let place = if self.output.as_os_str() == "-" {
             Place::Standard
+        } else if fs::metadata(&self.output).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
+            Place::Stream(self.output.clone())
         } else {
             Place::File(self.output.clone())
         };
@@ -76,7 +81,7 @@ impl TargetOptions {
                     "a picture is nothing for a terminal; send standard output elsewhere, or name a file with -o",
                 ));
             }
-            Place::Standard => {}
+            Place::Standard | Place::Stream(_) => {}
             Place::File(path) => {
                 writable(path).map_err(|error| cannot_write(path, &error))?;
                 let same = |a: &Path, b: &Path| Some(fs::canonicalize(a).ok()? == fs::canonicalize(b).ok()?);
@@ -95,7 +100,7 @@ impl TargetOptions {
                 "standard output has no extension; --format says what to write: {}",
                 list(|format| format.name().to_owned())
             ))),
-            (None, Place::File(path)) => Format::from_path(path).ok_or_else(|| {
+            (None, Place::File(path) | Place::Stream(path)) => Format::from_path(path).ok_or_else(|| {
                 Failure::Unusable(format!(
                     "the extension of {} is not one of a known format; use {}, or --format",
                     path.display(),
@@ -114,11 +119,10 @@ fn cannot_write(path: &Path, reason: &dyn std::fmt::Display) -> Failure {
     Failure::Unusable(format!("cannot write {}: {reason}", path.display()))
 }
 
-/// Whether a file can be made where this one is to stand. What is no file and no folder takes what it takes.
+/// Whether a file can be made where this one is to stand.
 fn writable(path: &Path) -> io::Result<()> {
     let path = match fs::metadata(path) {
         Ok(there) if there.is_dir() => return Err(io::ErrorKind::IsADirectory.into()),
-        Ok(there) if !there.is_file() => return Ok(()),
         Ok(_) => fs::canonicalize(path)?,
         Err(_) => path.to_owned(),
     };
@@ -131,7 +135,7 @@ impl Target {
     /// What people know the place as.
     pub(super) fn name(&self) -> String {
         match &self.place {
-            Place::File(path) => path.display().to_string(),
+            Place::File(path) | Place::Stream(path) => path.display().to_string(),
             Place::Standard => "<stdout>".to_owned(),
         }
     }
@@ -145,11 +149,9 @@ impl Target {
     /// Writes the picture, whole or not at all.
     pub(super) fn write(&self, picture: &Picture, watch: &Watch) -> Result<(), Failure> {
         let written = match &self.place {
-            Place::File(path) => while_writing(|| {
-                write_whole(path, |out| {
-                    encode(picture, &self.encoding, &mut Stoppable { out, watch })
-                })
-            }),
+            Place::File(path) => while_writing(|| self.save(path, picture, watch)),
+            // Nothing is left behind here, and whoever reads may keep the writer waiting for ever.
+            Place::Stream(path) => self.save(path, picture, watch),
             Place::Standard => self.pour(picture, watch),
         };
         written.map_err(|error| {
@@ -158,6 +160,12 @@ impl Target {
             } else {
                 Failure::Unusable(format!("cannot write {}: {error}", self.name()))
             }
+        })
+    }
+
+    fn save(&self, path: &Path, picture: &Picture, watch: &Watch) -> Result<(), EncodeError> {
+        write_whole(path, |out| {
+            encode(picture, &self.encoding, &mut Stoppable { out, watch })
         })
     }
 
