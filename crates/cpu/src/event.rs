@@ -28,8 +28,68 @@ impl<R> Scratch<R> {
     }
 }
 
+/// The first entry into an island after the start of a ray from outside, and not after `until`.
+#[inline(always)]
+pub(crate) fn entered<R: Real>(
+    scene: &Packed<R>,
+    island: &Island,
+    ray: &Ray<R>,
+    until: R,
+    scratch: &mut Scratch<R>,
+) -> Option<Hit<R>> {
+    let Some(leaf) = lone(scene, island) else {
+        return Crossings::new(scene, island, ray, scratch).change(R::ZERO, until, false);
+    };
+    let (enter, leave) = leaf_interval(scene, leaf, ray);
+    (enter > R::ZERO && enter < leave && enter <= until).then_some(Hit {
+        distance: enter,
+        leaf,
+        leaving: false,
+    })
+}
+
+/// Where a ray leaves an island that holds it at `from`, perhaps infinitely far; nothing if the island does not.
+#[inline(always)]
+pub(crate) fn left<R: Real>(
+    scene: &Packed<R>,
+    island: &Island,
+    ray: &Ray<R>,
+    from: R,
+    scratch: &mut Scratch<R>,
+) -> Option<Hit<R>> {
+    let endless = |leaf: u32| Hit {
+        distance: R::INFINITY,
+        leaf,
+        leaving: true,
+    };
+    if let Some(leaf) = lone(scene, island) {
+        let (enter, leave) = leaf_interval(scene, leaf, ray);
+        return (enter <= from && from < leave).then_some(Hit {
+            distance: leave,
+            ..endless(leaf)
+        });
+    }
+    let crossings = Crossings::new(scene, island, ray, scratch);
+    let first = scene.members[island.members as usize];
+    crossings
+        .holds(from)
+        .then(|| crossings.change(from, R::INFINITY, true).unwrap_or(endless(first)))
+}
+
+/// The leaf of an island that is nothing else, as most islands are.
+#[inline(always)]
+fn lone<R>(scene: &Packed<R>, island: &Island) -> Option<u32> {
+    (island.program_end - island.program == 1).then(|| scene.members[island.members as usize])
+}
+
+#[inline(always)]
+fn leaf_interval<R: Real>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>) -> Interval<R> {
+    let touches = &scene.touches[ray.end.touches as usize..ray.end.touches_end as usize];
+    interval(&scene.shapes[scene.leaves[leaf as usize].shape as usize], ray, touches)
+}
+
 /// The intervals of one island's members along one ray.
-pub(crate) struct Crossings<'a, R> {
+struct Crossings<'a, R> {
     scene: &'a Packed<R>,
     island: &'a Island,
     intervals: &'a [Interval<R>],
@@ -37,14 +97,12 @@ pub(crate) struct Crossings<'a, R> {
 
 impl<'a, R: Real> Crossings<'a, R> {
     #[inline(always)]
-    pub(crate) fn new(scene: &'a Packed<R>, island: &'a Island, ray: &Ray<R>, scratch: &'a mut Scratch<R>) -> Self {
+    fn new(scene: &'a Packed<R>, island: &'a Island, ray: &Ray<R>, scratch: &'a mut Scratch<R>) -> Self {
         let members = &scene.members[island.members as usize..island.members_end as usize];
         scratch.intervals.clear();
-        let touches = &scene.touches[ray.end.touches as usize..ray.end.touches_end as usize];
-        scratch.intervals.extend(members.iter().map(|leaf| {
-            let leaf = &scene.leaves[*leaf as usize];
-            interval(&scene.shapes[leaf.shape as usize], ray, touches)
-        }));
+        scratch
+            .intervals
+            .extend(members.iter().map(|leaf| leaf_interval(scene, *leaf, ray)));
         Self {
             scene,
             island,
@@ -55,7 +113,7 @@ impl<'a, R: Real> Crossings<'a, R> {
     /// Whether the island holds the ray at `distance`: each member counts from its first distance up to, not including,
     /// its last.
     #[inline(always)]
-    pub(crate) fn holds(&self, distance: R) -> bool {
+    fn holds(&self, distance: R) -> bool {
         self.truth(distance, u32::MAX)
     }
 
@@ -63,7 +121,7 @@ impl<'a, R: Real> Crossings<'a, R> {
     /// intervals say otherwise at `from`, the start lies within rounding of another surface: the ray is followed to
     /// where they agree, and that first run counts for nothing.
     #[inline(always)]
-    pub(crate) fn change(&self, from: R, until: R, inside: bool) -> Option<Hit<R>> {
+    fn change(&self, from: R, until: R, inside: bool) -> Option<Hit<R>> {
         let mut at = from;
         let mut settled = self.holds(at) == inside;
         loop {
@@ -128,16 +186,6 @@ impl<'a, R: Real> Crossings<'a, R> {
             (enter <= distance && distance < leave) != (local == turned)
         };
         let program = &self.scene.program[self.island.program as usize..self.island.program_end as usize];
-        // A single member is most of all islands.
-        if let [_] = program {
-            holds(0)
-        } else {
-            evaluate_packed(program, holds)
-        }
+        evaluate(program.iter().map(|word| Instruction(*word)), holds)
     }
-}
-
-#[inline(always)]
-fn evaluate_packed(program: &[u32], holds: impl FnMut(u32) -> bool) -> bool {
-    evaluate(program.iter().map(|word| Instruction(*word)), holds)
 }

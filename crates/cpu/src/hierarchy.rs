@@ -1,9 +1,11 @@
 //! Where a ray crosses the surface of the whole solid, the union of all islands.
 
+use std::ops::Range;
+
 use scenec_plan::packed_structs::{Island, Node};
 use scenec_plan::{HIERARCHY_DEPTH, Packed, Real};
 
-use crate::event::{Crossings, Hit, Scratch};
+use crate::event::{Hit, Scratch, entered, left};
 use crate::ray::Ray;
 use crate::vector::Vector;
 
@@ -23,28 +25,30 @@ pub(crate) fn blocked<R: Real>(scene: &Packed<R>, ray: &Ray<R>, until: R, scratc
     if ray.inside {
         return leave(scene, ray, scratch).is_some_and(|hit| hit.distance < until);
     }
-    let mut blocked = false;
-    visit(scene, ray, R::ZERO, until, |island, _| {
-        let hit = Crossings::new(scene, island, ray, scratch).change(R::ZERO, until, false);
-        blocked = hit.is_some_and(|hit| hit.distance < until);
-        blocked
-    });
-    blocked
+    let mut cursor = Cursor::new(scene, ray, R::ZERO, until);
+    while let Some(island) = cursor.next() {
+        if let Some(hit) = entered(scene, island, ray, until, scratch)
+            && hit.distance < until
+        {
+            return true;
+        }
+    }
+    false
 }
 
 /// From outside: a union is entered where the first of its parts is; of two at the same distance the left one owns.
 #[inline(always)]
 fn enter<R: Real>(scene: &Packed<R>, ray: &Ray<R>, scratch: &mut Scratch<R>) -> Option<Hit<R>> {
     let mut nearest: Option<Hit<R>> = None;
-    visit(scene, ray, R::ZERO, R::INFINITY, |island, until| {
-        if let Some(hit) = Crossings::new(scene, island, ray, scratch).change(R::ZERO, *until, false)
+    let mut cursor = Cursor::new(scene, ray, R::ZERO, R::INFINITY);
+    while let Some(island) = cursor.next() {
+        if let Some(hit) = entered(scene, island, ray, cursor.until, scratch)
             && nearest.is_none_or(|best| (hit.distance, hit.leaf) < (best.distance, best.leaf))
         {
-            *until = hit.distance;
+            cursor.until = hit.distance;
             nearest = Some(hit);
         }
-        false
-    });
+    }
     nearest
 }
 
@@ -56,107 +60,120 @@ fn leave<R: Real>(scene: &Packed<R>, ray: &Ray<R>, scratch: &mut Scratch<R>) -> 
     let mut reached: Option<Hit<R>> = None;
     loop {
         let mut farthest: Option<Hit<R>> = None;
-        let mut endless = false;
-        visit(scene, ray, at, at, |island, _| {
-            let crossings = Crossings::new(scene, island, ray, scratch);
-            if crossings.holds(at) {
-                match crossings.change(at, R::INFINITY, true) {
-                    None => endless = true,
-                    Some(hit) => {
-                        let later = |best: Hit<R>| {
-                            hit.distance > best.distance || (hit.distance == best.distance && hit.leaf < best.leaf)
-                        };
-                        if farthest.is_none_or(later) {
-                            farthest = Some(hit);
-                        }
-                    }
-                }
+        let mut cursor = Cursor::new(scene, ray, at, at);
+        while let Some(island) = cursor.next() {
+            let Some(hit) = left(scene, island, ray, at, scratch) else {
+                continue;
+            };
+            if hit.distance == R::INFINITY {
+                return None;
             }
-            endless
-        });
-        if endless {
-            return None;
+            if farthest.is_none_or(|best| (best.distance, hit.leaf) < (hit.distance, best.leaf)) {
+                farthest = Some(hit);
+            }
         }
-        match (farthest, reached) {
-            (Some(hit), _) => {
-                at = hit.distance;
-                reached = Some(hit);
-            }
+        reached = match (farthest, reached) {
+            (Some(hit), _) => Some(hit),
             (None, Some(hit)) => return Some(hit),
             // No part holds the start, which lies within rounding of the surface: on to where the solid begins.
-            (None, None) => {
-                let begin = enter(scene, ray, scratch)?;
-                at = begin.distance;
-                reached = Some(begin);
-            }
-        }
+            (None, None) => Some(enter(scene, ray, scratch)?),
+        };
+        at = reached.map_or(at, |hit| hit.distance);
     }
 }
 
-/// Calls `visit` with every island whose box the ray meets between `from` and `until`, near ones first, until it says
-/// to stop; it may lower `until`.
-#[inline(always)]
-fn visit<R: Real>(
-    scene: &Packed<R>,
-    ray: &Ray<R>,
+/// Hands out the islands whose box the ray meets between `from` and `until`, near ones first; its user may lower `until`
+/// on the way.
+struct Cursor<'a, R> {
+    scene: &'a Packed<R>,
+    origin: Vector<R>,
+    inverse: Vector<R>,
     from: R,
-    mut until: R,
-    mut visit: impl FnMut(&Island, &mut R) -> bool,
-) {
-    for island in &scene.islands[..scene.frame.linear as usize] {
-        if visit(island, &mut until) {
-            return;
+    until: R,
+    /// The islands that come next.
+    islands: Range<u32>,
+    waiting: [(R, u32); HIERARCHY_DEPTH],
+    count: usize,
+}
+
+impl<'a, R: Real> Cursor<'a, R> {
+    #[inline(always)]
+    fn new(scene: &'a Packed<R>, ray: &Ray<R>, from: R, until: R) -> Self {
+        let [x, y, z] = ray.direction;
+        let mut cursor = Self {
+            scene,
+            origin: ray.origin,
+            inverse: [R::ONE / x, R::ONE / y, R::ONE / z],
+            from,
+            until,
+            islands: 0..scene.frame.linear,
+            waiting: [(R::ZERO, 0); HIERARCHY_DEPTH],
+            count: 0,
+        };
+        if let Some(root) = scene.nodes.first()
+            && let Some(entry) = cursor.meets(root)
+        {
+            cursor.waiting[0] = (entry, 0);
+            cursor.count = 1;
         }
+        cursor
     }
-    let Some(root) = scene.nodes.first() else {
-        return;
-    };
-    let inverse = ray.direction.map(|d| R::ONE / d);
-    let mut waiting = [(R::ZERO, 0_u32); HIERARCHY_DEPTH];
-    let mut count = 0;
-    let Some(mut entry) = meets(root, ray.origin, inverse, from, until) else {
-        return;
-    };
-    let mut index = 0_u32;
-    loop {
-        let node = &scene.nodes[index as usize];
-        // `until` may have come nearer since the node was put aside.
-        if entry <= until * slack() {
-            if node.count > 0 {
-                for island in &scene.islands[node.first as usize..(node.first + node.count) as usize] {
-                    if visit(island, &mut until) {
-                        return;
-                    }
-                }
-            } else {
-                let (a, b) = (node.first, node.first + 1);
-                let meets = |child: u32| meets(&scene.nodes[child as usize], ray.origin, inverse, from, until);
-                let next = match (meets(a), meets(b)) {
-                    (Some(near), Some(far)) => {
-                        let (near, far) = if far < near {
-                            ((far, b), (near, a))
-                        } else {
-                            ((near, a), (far, b))
-                        };
-                        waiting[count] = far;
-                        count += 1;
-                        Some(near)
-                    }
-                    (Some(near), None) => Some((near, a)),
-                    (None, Some(far)) => Some((far, b)),
-                    (None, None) => None,
-                };
-                if let Some(next) = next {
-                    (entry, index) = next;
-                    continue;
-                }
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<&'a Island> {
+        while self.islands.is_empty() {
+            self.count = self.count.checked_sub(1)?;
+            let (entry, index) = self.waiting[self.count];
+            // `until` may have come nearer since the node was put aside.
+            if entry <= self.until * slack() {
+                self.descend(index);
             }
         }
-        if count == 0 {
-            return;
+        let index = self.islands.start;
+        self.islands.start += 1;
+        self.scene.islands.get(index as usize)
+    }
+
+    /// Goes down to the nearest leaf below a node and puts the farther children aside.
+    #[inline(always)]
+    fn descend(&mut self, index: u32) {
+        let mut node = &self.scene.nodes[index as usize];
+        while node.count == 0 {
+            let (a, b) = (node.first, node.first + 1);
+            let (near, far) = match (self.meets_child(a), self.meets_child(b)) {
+                (Some(x), Some(y)) if y < x => (b, Some((x, a))),
+                (Some(_), Some(y)) => (a, Some((y, b))),
+                (Some(_), None) => (a, None),
+                (None, Some(_)) => (b, None),
+                (None, None) => return,
+            };
+            if let Some(far) = far {
+                self.waiting[self.count] = far;
+                self.count += 1;
+            }
+            node = &self.scene.nodes[near as usize];
         }
-        count -= 1;
-        (entry, index) = waiting[count];
+        self.islands = node.first..node.first + node.count;
+    }
+
+    #[inline(always)]
+    fn meets_child(&self, index: u32) -> Option<R> {
+        self.meets(&self.scene.nodes[index as usize])
+    }
+
+    /// Where the ray enters the node's box, if it is in it somewhere between `from` and `until`. A component of the
+    /// direction that is 0 gives infinities, or a NaN that `min` and `max` pass over.
+    #[inline(always)]
+    fn meets(&self, node: &Node) -> Option<R> {
+        let (mut near, mut far) = (-R::INFINITY, R::INFINITY);
+        for axis in 0..3 {
+            let low = (R::of_f32(node.low[axis]) - self.origin[axis]) * self.inverse[axis];
+            let high = (R::of_f32(node.high[axis]) - self.origin[axis]) * self.inverse[axis];
+            near = near.max(low.min(high));
+            far = far.min(low.max(high));
+        }
+        let far = far * slack();
+        (near <= far && near <= self.until * slack() && far >= self.from).then_some(near)
     }
 }
 
@@ -165,19 +182,4 @@ fn visit<R: Real>(
 fn slack<R: Real>() -> R {
     let eight = R::TWO * R::TWO * R::TWO;
     R::ONE + eight * R::ROUNDOFF
-}
-
-/// Where the ray enters the node's box, if it is in it somewhere between `from` and `until`. A component of the direction
-/// that is 0 gives infinities, or a NaN that `min` and `max` pass over.
-#[inline(always)]
-fn meets<R: Real>(node: &Node, origin: Vector<R>, inverse: Vector<R>, from: R, until: R) -> Option<R> {
-    let (mut near, mut far) = (-R::INFINITY, R::INFINITY);
-    for axis in 0..3 {
-        let low = (R::of(f64::from(node.low[axis])) - origin[axis]) * inverse[axis];
-        let high = (R::of(f64::from(node.high[axis])) - origin[axis]) * inverse[axis];
-        near = near.max(low.min(high));
-        far = far.min(low.max(high));
-    }
-    let far = far * slack();
-    (near <= far && near <= until * slack() && far >= from).then_some(near)
 }

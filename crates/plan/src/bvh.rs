@@ -1,5 +1,7 @@
 //! The hierarchy over bounded islands.
 
+use std::collections::HashSet;
+
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
@@ -64,14 +66,25 @@ fn outward(bounds: &Box3) -> Corners {
 
 /// The order of the islands, and nodes whose leaves count from 0 in that order.
 fn build(boxes: &[Corners]) -> (Vec<u32>, Vec<Node>) {
-    let fine = clustered(boxes).map(|tree| {
-        let nodes: Vec<_> = tree.nodes.iter().map(node).collect();
-        (tree.primitive_indices, nodes)
-    });
+    let fine = Some(boxes)
+        .filter(|boxes| spread(boxes))
+        .and_then(clustered)
+        .map(|tree| {
+            let nodes: Vec<_> = tree.nodes.iter().map(node).collect();
+            (tree.primitive_indices, nodes)
+        });
     match fine {
         Some((order, nodes)) if order.len() == boxes.len() && depth(&nodes) <= MAX_DEPTH => (order, nodes),
         _ => halved(boxes),
     }
+}
+
+/// Whether the boxes stand in places of their own. The library's builder joins neighbours along a space-filling curve; of
+/// many boxes in one place it joins one pair a pass, which is quadratic.
+fn spread(boxes: &[Corners]) -> bool {
+    let middle = |[low, high]: &Corners| std::array::from_fn(|i| (low[i] / 2.0 + high[i] / 2.0).to_bits());
+    let places: HashSet<[u32; 3]> = boxes.iter().map(middle).collect();
+    places.len() > boxes.len() / 2
 }
 
 /// The library's tree; nothing where it is so deep (many islands in one place) that the library's own later steps, which

@@ -34,6 +34,8 @@ pub trait Real:
 
     /// The nearest such number.
     fn of(value: f64) -> Self;
+    /// The same number as a single: exact.
+    fn of_f32(value: f32) -> Self;
     /// The same number as a double.
     fn to_f64(self) -> f64;
     /// The nearest single.
@@ -74,6 +76,10 @@ macro_rules! real {
             #[inline(always)]
             fn of(value: f64) -> Self {
                 value as Self
+            }
+            #[inline(always)]
+            fn of_f32(value: f32) -> Self {
+                Self::from(value)
             }
             #[inline(always)]
             fn to_f64(self) -> f64 {
