@@ -21,9 +21,9 @@ use scenec_plan::{Packed, Plan, Real};
 
 use pixel::Pixel;
 
-/// Rows of a picture are handed to threads in runs of about this many pixels, so that progress and a stop are noticed
+/// A picture is handed to threads in runs of pixels of about this many samples, so that progress and a stop are noticed
 /// soon and yet handing out costs nothing.
-const RUN: usize = 1024;
+const RUN_SAMPLES: usize = 1024;
 
 /// Traces one plan in the precision `R`.
 pub struct Cpu<R> {
@@ -72,7 +72,8 @@ impl<R: Real> Tracer for Cpu<R> {
         frame.ray_budget = request.limits.ray_budget.max(1);
 
         let scene = &self.scene;
-        let runs = runs(picture.pixels_mut(), ids.as_mut(), exact.as_mut());
+        let run = (RUN_SAMPLES / scene.samples.len().max(1)).max(1);
+        let runs = runs(run, picture.pixels_mut(), ids.as_mut(), exact.as_mut());
         let stats = self.threads.install(|| {
             runs.into_par_iter()
                 .map(|run| {
@@ -106,14 +107,19 @@ struct Run<'a> {
     exact: Option<&'a mut [[f64; 3]]>,
 }
 
-fn runs<'a>(picture: &'a mut [[f32; 3]], ids: Option<&'a mut Vec<u32>>, exact: Option<&'a mut Exact>) -> Vec<Run<'a>> {
-    let mut ids = ids.map(|ids| ids.chunks_mut(RUN));
-    let mut exact = exact.map(|exact| exact.chunks_mut(RUN));
+fn runs<'a>(
+    run: usize,
+    picture: &'a mut [[f32; 3]],
+    ids: Option<&'a mut Vec<u32>>,
+    exact: Option<&'a mut Exact>,
+) -> Vec<Run<'a>> {
+    let mut ids = ids.map(|ids| ids.chunks_mut(run));
+    let mut exact = exact.map(|exact| exact.chunks_mut(run));
     picture
-        .chunks_mut(RUN)
+        .chunks_mut(run)
         .enumerate()
         .map(|(i, picture)| Run {
-            range: i * RUN..i * RUN + picture.len(),
+            range: i * run..i * run + picture.len(),
             picture,
             ids: ids.as_mut().and_then(Iterator::next),
             exact: exact.as_mut().and_then(Iterator::next),

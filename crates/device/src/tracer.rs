@@ -126,7 +126,7 @@ impl<R: Real + Plain> OpenCl<R> {
 impl<R: Real + Plain> Tracer for OpenCl<R> {
     fn name(&self) -> String {
         let info = self.session.device();
-        format!("{} {} ({})", self.precision, info.name, info.platform)
+        format!("opencl {} {} ({})", self.precision, info.name, info.platform)
     }
 
     fn trace(&mut self, request: &Request<'_>) -> Result<Frame, TraceError> {

@@ -14,8 +14,8 @@ use crate::Box3;
 use crate::flatten::Flat;
 use crate::packed::packed_structs::Node;
 
-/// Up to this many bounded islands a list is walked faster than a tree.
-const SHORT_LIST: usize = 8;
+/// With up to this many members in all bounded islands, a list is walked faster than a tree.
+const SHORT_LIST: u32 = 8;
 /// The deepest hierarchy that the tracers' stacks hold.
 pub(crate) const MAX_DEPTH: usize = 64;
 /// The most islands in a leaf of the hierarchy.
@@ -26,7 +26,8 @@ pub(crate) fn arrange(mut flat: Flat) -> Flat {
     flat.islands.sort_by_key(|island| island.bounds.is_finite());
     flat.linear = flat.islands.partition_point(|island| !island.bounds.is_finite());
     let bounded = &flat.islands[flat.linear..];
-    if bounded.len() <= SHORT_LIST {
+    let members: u32 = bounded.iter().map(|island| island.members.1 - island.members.0).sum();
+    if members <= SHORT_LIST {
         flat.linear = flat.islands.len();
         return flat;
     }

@@ -29,6 +29,27 @@ pub(crate) struct Flat {
 /// A solid under the outermost paint on the way to it.
 type Painted = (SolidId, Option<MaterialId>);
 
+/// What a walk finds at a solid.
+enum Step {
+    /// A base object.
+    Leaf,
+    /// Nothing but another solid.
+    Inside(Painted),
+    /// Two solids under an operator.
+    Both(Op, SolidId, SolidId),
+}
+
+/// A solid without its wrapping: a paint is handed down, and the union or intersection of a solid with itself is that
+/// solid.
+fn step(scene: &Scene, (id, paint): Painted) -> Step {
+    match scene.solid(id).kind {
+        SolidKind::Leaf(_) => Step::Leaf,
+        SolidKind::Paint { inside, material } => Step::Inside((inside, paint.or(Some(material)))),
+        SolidKind::Combine { op, left, right } if left == right && op != Op::Subtraction => Step::Inside((left, paint)),
+        SolidKind::Combine { op, left, right } => Step::Both(op, left, right),
+    }
+}
+
 /// Lays the submitted solid flat, in world units.
 pub(crate) fn flatten(scene: &Scene, facts: &[NodeFacts]) -> Result<Flat, PlanError> {
     let mut work = Work {
@@ -42,24 +63,13 @@ pub(crate) fn flatten(scene: &Scene, facts: &[NodeFacts]) -> Result<Flat, PlanEr
     let mut alone = HashSet::new();
     let mut open: Vec<Painted> = vec![(scene.root, None)];
     while let Some((id, paint)) = open.pop() {
-        match &scene.solid(id).kind {
-            SolidKind::Paint { inside, material } => open.push((*inside, paint.or(Some(*material)))),
-            SolidKind::Combine {
-                op: Op::Union,
-                left,
-                right,
-            } => {
-                if seen.insert((id, paint)) {
-                    open.push((*right, paint));
-                    open.push((*left, paint));
-                }
-            }
-            SolidKind::Leaf(_) => work.lone_leaf(id, paint, &mut alone),
-            SolidKind::Combine { .. } => {
-                if seen.insert((id, paint)) {
-                    work.tree(id, paint)?;
-                }
-            }
+        match step(scene, (id, paint)) {
+            Step::Inside(painted) => open.push(painted),
+            Step::Leaf => work.lone_leaf(id, paint, &mut alone),
+            // A part that is there already adds nothing to a union.
+            Step::Both(..) if !seen.insert((id, paint)) => {}
+            Step::Both(Op::Union, left, right) => open.extend([(right, paint), (left, paint)]),
+            Step::Both(..) => work.tree(id, paint)?,
         }
     }
     work.flat.shapes = work.shapes.list;
@@ -159,15 +169,14 @@ impl Work<'_> {
         let mut seen = HashSet::new();
         let mut open = vec![top];
         while let Some((id, paint)) = open.pop() {
-            match &self.scene.solid(id).kind {
-                SolidKind::Paint { inside, material } => open.push((*inside, paint.or(Some(*material)))),
-                SolidKind::Combine { left, right, .. } => {
+            match step(self.scene, (id, paint)) {
+                Step::Inside(painted) => open.push(painted),
+                Step::Both(_, left, right) => {
                     if seen.insert((id, paint)) {
-                        open.push((*right, paint));
-                        open.push((*left, paint));
+                        open.extend([(right, paint), (left, paint)]);
                     }
                 }
-                SolidKind::Leaf(_) => {
+                Step::Leaf => {
                     if let Some(leaf) = self.leaf(id, paint) {
                         let next = locals.len() as u32;
                         locals.entry(leaf).or_insert(next);
@@ -193,16 +202,16 @@ impl Work<'_> {
                 }
                 Task::Visit(painted) => painted,
             };
-            match &self.scene.solid(id).kind {
-                SolidKind::Paint { inside, material } => open.push(Task::Visit((*inside, paint.or(Some(*material))))),
-                SolidKind::Leaf(_) => {
+            match step(self.scene, (id, paint)) {
+                Step::Inside(painted) => open.push(Task::Visit(painted)),
+                Step::Leaf => {
                     if let Some(local) = self.leaf(id, paint).and_then(|leaf| locals.get(&leaf)) {
                         self.flat.program.push(Instruction::member(*local));
                     }
                 }
-                SolidKind::Combine { op, left, right } => {
+                Step::Both(op, left, right) => {
                     let swapped = self.facts[right.index()].height > self.facts[left.index()].height;
-                    let (first, second) = if swapped { (*right, *left) } else { (*left, *right) };
+                    let (first, second) = if swapped { (right, left) } else { (left, right) };
                     open.push(Task::Emit(match (op, swapped) {
                         (Op::Union, _) => Instruction::UNION,
                         (Op::Intersection, _) => Instruction::INTERSECTION,

@@ -55,6 +55,15 @@ fn of(kind: &SolidKind, facts: &[NodeFacts]) -> NodeFacts {
             height: 1,
         },
         SolidKind::Paint { inside, .. } => facts[inside.index()],
+        // A solid with itself: see the walks.
+        SolidKind::Combine { op, left, right } if left == right => match op {
+            Op::Subtraction => NodeFacts {
+                bounds: Box3::EMPTY,
+                leaves: facts[left.index()].leaves.saturating_mul(2),
+                height: facts[left.index()].height + 1,
+            },
+            Op::Union | Op::Intersection => facts[left.index()],
+        },
         SolidKind::Combine { op, left, right } => {
             let (left, right) = (facts[left.index()], facts[right.index()]);
             NodeFacts {

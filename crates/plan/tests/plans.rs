@@ -1,0 +1,79 @@
+//! What is left of a scene in its plan.
+
+#![allow(clippy::unwrap_used, reason = "a test may, in its helpers too")]
+
+use scenec_plan::{Features, Plan, PlanError, plan};
+use scenec_text::SourceFile;
+
+const SETTINGS: &str = "width := 8\nheight := 8\nlookat_x := 0\nlookat_y := 0\nlookat_z := 0\neyepos_x := 0\n\
+    eyepos_y := 0\neyepos_z := 9\nambient_r := 1\nambient_g := 1\nambient_b := 1\nambient_int_r := 1\n\
+    ambient_int_g := 1\nambient_int_b := 1\nraydepth := 3\n!s := sphere\n!t := sphere\n!t += 0.5 0 0\n!h := hp\n";
+
+fn planned(text: &str) -> Result<Plan, PlanError> {
+    let source = SourceFile::new("test", format!("{SETTINGS}{text}")).unwrap();
+    let (interpretation, diagnostics) = scenec_interpret::analyse(&source);
+    plan(&interpretation.scene.unwrap_or_else(|| panic!("{diagnostics:#?}")))
+}
+
+/// Checks the number of islands, of leaves and of all islands' instructions.
+fn check(text: &str, islands: usize, leaves: usize, instructions: usize) {
+    let plan = planned(text).unwrap();
+    let seen = (plan.islands.len(), plan.leaves.len(), plan.program.len());
+    assert_eq!(seen, (islands, leaves, instructions), "{text}");
+}
+
+#[test]
+fn unions_become_islands_and_what_adds_nothing_goes() {
+    check("!s <=", 1, 1, 1);
+    check("!u := s | t\n!v := u | h\n!v <=", 3, 3, 3);
+    check("!u := s | s\n!u <=", 1, 1, 1);
+    check("!a := sphere\n!u := s | a\n!u <=", 1, 1, 1);
+    check("!u := s | t\n!v := u | u\n!w := v | u\n!w <=", 2, 2, 2);
+    check("!u := s & t\n!v := u | h\n!v <=", 2, 3, 4);
+    check("!u := s - s\n!v := u | h\n!v <=", 1, 1, 1);
+    check(
+        "!far := sphere\n!far += 9 0 0\n!u := s & far\n!v := u | t\n!v <=",
+        1,
+        1,
+        1,
+    );
+}
+
+#[test]
+fn a_solid_with_itself_is_itself_however_often() {
+    let doubled: String = (0..100).map(|i| format!("!d{} := d{i} & d{i}\n", i + 1)).collect();
+    check(&format!("!d0 := s & t\n{doubled}!d100 <="), 1, 2, 3);
+}
+
+#[test]
+fn a_tree_that_grows_without_bound_is_refused_with_the_figure() {
+    let mut text = String::from("!d0 := s & t\n");
+    for i in 0..40 {
+        text += &format!("!e{i} := d{i} - h\n!d{} := d{i} & e{i}\n", i + 1);
+    }
+    let error = planned(&format!("{text}!d40 <=")).unwrap_err();
+    assert!(
+        matches!(error, PlanError::ProgramTooLarge { leaves } if leaves > 1 << 40),
+        "{error}"
+    );
+    assert!(error.to_string().contains("16777216"), "{error}");
+}
+
+#[test]
+fn only_what_the_scene_needs_is_on() {
+    let features = Features::of(&planned("!s <=").unwrap());
+    assert!(features.balls && !features.ellipsoids && !features.half_spaces && !features.programs);
+    assert!(!features.lights && !features.highlights && !features.reflections && !features.inside);
+    let glass = "?g := 0 0 0.5 0.1 0.9 1.5 50 1 1 1\n!s ?= g\n!u := s - h\n*l := 5 5 5 1 1 1\n!u <=";
+    let features = Features::of(&planned(glass).unwrap());
+    assert!(features.lights && features.highlights && features.branching && features.inside && features.programs);
+    assert_eq!((features.waiting, features.members), (4, 2));
+}
+
+#[test]
+fn the_eye_knows_where_it_stands() {
+    for (place, expect) in [("0 0 9", true), ("0 0 0", false), ("3 0 9", false)] {
+        let plan = planned(&format!("!e := sphere\n!e += {place}\n!u := e - h\n!v := u | e\n!v <=")).unwrap();
+        assert_eq!(plan.inside, expect, "{place}");
+    }
+}
