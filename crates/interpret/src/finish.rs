@@ -9,9 +9,9 @@ mod unused;
 use scenec_scene::Scene;
 use scenec_text::{Diagnostic, Span};
 
-use crate::Interpretation;
 use crate::state::State;
 use crate::suggest::Suggestions;
+use crate::{Fragments, Interpretation};
 
 /// Judges the whole file and builds the scene. `last` is the last line that isn't blank.
 pub(crate) fn finish(mut state: State<'_>, last: Option<Span>) -> (Interpretation, Vec<Diagnostic>) {
@@ -27,6 +27,7 @@ pub(crate) fn finish(mut state: State<'_>, last: Option<Span>) -> (Interpretatio
     }
     let mut diagnostics = state.diagnostics;
     diagnostics.sort_by_key(|finding| finding.span().start);
+    let mut fragments = Fragments::default();
     let scene = match (settings, root) {
         (Some(settings), Some(root)) if !state.failed => Some(Scene {
             settings,
@@ -36,10 +37,18 @@ pub(crate) fn finish(mut state: State<'_>, last: Option<Span>) -> (Interpretatio
             steps: state.steps,
             root,
         }),
-        _ => None,
+        _ => {
+            fragments = Fragments {
+                materials: state.materials,
+                lights: state.lights,
+                steps: state.steps,
+            };
+            None
+        }
     };
     let interpretation = Interpretation {
         scene,
+        fragments,
         symbols: state.symbols,
     };
     (interpretation, diagnostics)

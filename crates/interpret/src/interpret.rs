@@ -1,6 +1,6 @@
 //! One pass over the lines, then the end of the file.
 
-use scenec_scene::Scene;
+use scenec_scene::{Light, Material, Scene, Step};
 use scenec_syntax::{Content, Line, parse};
 use scenec_text::{Diagnostic, SourceFile};
 
@@ -12,8 +12,21 @@ use crate::{SymbolTable, finish, statements};
 pub struct Interpretation {
     /// The scene; `None` if the file has any error, one of the parser or the file's reader included.
     pub scene: Option<Scene>,
+    /// What there is of a scene where `scene` is `None`; empty otherwise.
+    pub fragments: Fragments,
     /// Every name and where it stands.
     pub symbols: SymbolTable,
+}
+
+/// The parts of a scene that never came to be, as in a [`Scene`]: what its statements say is known all the same.
+#[derive(Clone, Debug, Default)]
+pub struct Fragments {
+    /// Every material ever defined; number 0 is the default one.
+    pub materials: Vec<Material>,
+    /// The lights as they stand at the end of the file.
+    pub lights: Vec<Light>,
+    /// The transforms as they were written.
+    pub steps: Vec<Step>,
 }
 
 /// Interprets the lines that [`parse`] made of `source`. The findings are ordered by place; what a broken line or a bad

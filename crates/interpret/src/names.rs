@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use scenec_syntax::Space;
 use scenec_text::Span;
 
-use crate::{Role, SymbolTable};
+use crate::{DefinitionId, Role, SymbolTable};
 
 /// Number of a name in its name space.
 pub(crate) type NameId = usize;
@@ -43,6 +43,8 @@ pub(crate) struct Entry<'a, T> {
     pub(crate) name: &'a str,
     pub(crate) symbol: crate::SymbolId,
     pub(crate) binding: Binding<T>,
+    /// The statement that made the binding.
+    definition: Option<DefinitionId>,
     /// The first statement that bound it.
     pub(crate) first_bound: Option<Span>,
     /// The last statement that would have bound it, but was ignored.
@@ -65,8 +67,9 @@ impl<T> Entry<'_, T> {
     }
 
     /// Binds the name by the statement at `line`; gives what it was bound to before.
-    pub(crate) fn bind(&mut self, line: Span, value: T) -> Option<T> {
+    pub(crate) fn bind(&mut self, line: Span, value: T, symbols: &mut SymbolTable) -> Option<T> {
         self.first_bound.get_or_insert(line);
+        self.definition = symbols.define(self.symbol, line);
         self.replace(Binding::Bound(value))
     }
 
@@ -102,12 +105,15 @@ impl<'a, T> Names<'a, T> {
                 name,
                 symbol: symbols.add(self.space, span),
                 binding: Binding::Absent,
+                definition: None,
                 first_bound: None,
                 ignored: None,
             });
             self.entries.len() - 1
         });
-        symbols.record(self.entries[id].symbol, span, role);
+        let entry = &self.entries[id];
+        let known = matches!(entry.binding, Binding::Bound(_)) && role != Role::Define;
+        symbols.record(entry.symbol, span, role, entry.definition.filter(|_| known));
         id
     }
 

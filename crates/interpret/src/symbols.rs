@@ -1,5 +1,7 @@
 //! The symbol table: every name of a file and every place where it stands.
 
+use std::num::NonZeroU32;
+
 use scenec_syntax::Space;
 use scenec_text::Span;
 
@@ -27,6 +29,27 @@ pub enum Role {
     Use,
 }
 
+/// Number of a definition in its table.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct DefinitionId(NonZeroU32);
+
+impl DefinitionId {
+    /// The number as an index.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0.get() as usize - 1
+    }
+}
+
+/// A statement that bound a name. One that was ignored, or was spoilt by an error, is none.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Definition {
+    /// Which name.
+    pub symbol: SymbolId,
+    /// The statement.
+    pub line: Span,
+}
+
 /// A place where a name stands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Occurrence {
@@ -36,6 +59,8 @@ pub struct Occurrence {
     pub symbol: SymbolId,
     /// What the statement does with it.
     pub role: Role,
+    /// The definition that it makes, edits or reads; `None` where there is none.
+    pub definition: Option<DefinitionId>,
 }
 
 /// Every name of a file. Lines that fit no statement are left out.
@@ -43,6 +68,7 @@ pub struct Occurrence {
 pub struct SymbolTable {
     symbols: Vec<Symbol>,
     occurrences: Vec<Occurrence>,
+    definitions: Vec<Definition>,
 }
 
 impl SymbolTable {
@@ -56,6 +82,18 @@ impl SymbolTable {
     #[must_use]
     pub fn occurrences(&self) -> &[Occurrence] {
         &self.occurrences
+    }
+
+    /// Every definition, in the order of the file; a [`DefinitionId`] is an index into them.
+    #[must_use]
+    pub fn definitions(&self) -> &[Definition] {
+        &self.definitions
+    }
+
+    /// Every definition with its number, in the order of the file.
+    pub fn numbered_definitions(&self) -> impl Iterator<Item = (DefinitionId, Definition)> + '_ {
+        let ids = (1..=u32::MAX).filter_map(NonZeroU32::new).map(DefinitionId);
+        ids.zip(self.definitions.iter().copied())
     }
 
     /// The name at an offset; one just behind a name counts, as a text cursor there does.
@@ -80,7 +118,28 @@ impl SymbolTable {
         id
     }
 
-    pub(crate) fn record(&mut self, symbol: SymbolId, span: Span, role: Role) {
-        self.occurrences.push(Occurrence { span, symbol, role });
+    pub(crate) fn record(&mut self, symbol: SymbolId, span: Span, role: Role, definition: Option<DefinitionId>) {
+        self.occurrences.push(Occurrence {
+            span,
+            symbol,
+            role,
+            definition,
+        });
+    }
+
+    /// Notes that the statement at `line` bound the name; its place has been recorded among the last ones.
+    pub(crate) fn define(&mut self, symbol: SymbolId, line: Span) -> Option<DefinitionId> {
+        self.definitions.push(Definition { symbol, line });
+        let number = u32::try_from(self.definitions.len()).ok()?;
+        let id = NonZeroU32::new(number).map(DefinitionId);
+        let own = self
+            .occurrences
+            .iter_mut()
+            .rev()
+            .take_while(|place| place.span.start >= line.start);
+        if let Some(place) = own.last() {
+            place.definition = id;
+        }
+        id
     }
 }

@@ -105,6 +105,10 @@ codes! {
     UpAlongView = "W010", Warning;
     /// An index of refraction that bends light as no glass does.
     StrangeIndex = "W011", Warning;
+    /// A material that no object takes.
+    UnusedMaterial = "W013", Warning;
+    /// A transform by nothing.
+    IdleTransform = "W014", Warning;
 }
 
 #[cfg(test)]

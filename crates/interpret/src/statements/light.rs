@@ -24,7 +24,7 @@ pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, values: &[Value
     // A light of the same name takes the place of the one before it.
     let before = entry.bound().map(|lamp| (lamp.index, lamp.line));
     let index = before.map_or(state.lights.len(), |(index, _)| index);
-    entry.bind(line, Lamp { index, line });
+    entry.bind(line, Lamp { index, line }, &mut state.symbols);
     match state.lights.get_mut(index) {
         Some(place) => *place = light,
         None => state.lights.push(light),

@@ -35,7 +35,7 @@ pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, values: &[Value
         taken,
     };
     let name = entry.name;
-    if let Some(before) = entry.bind(line, paint)
+    if let Some(before) = entry.bind(line, paint, &mut state.symbols)
         && !before.used
     {
         state.overwritten(Space::Material, name, before.line, line);

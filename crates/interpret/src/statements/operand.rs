@@ -12,7 +12,7 @@ use crate::state::State;
 pub(super) fn bind(state: &mut State<'_>, id: NameId, solid: SolidId, line: Span) {
     let entry = &mut state.objects.entries[id];
     let name = entry.name;
-    let Some(before) = entry.bind(line, Object::new(solid, line)) else {
+    let Some(before) = entry.bind(line, Object::new(solid, line), &mut state.symbols) else {
         return;
     };
     if !before.used {

@@ -24,7 +24,7 @@ pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, value: Value) {
                 used: false,
                 last_read,
             };
-            if let Some(before) = entry.bind(line, variable)
+            if let Some(before) = entry.bind(line, variable, &mut state.symbols)
                 && !before.used
             {
                 let name = entry.name;

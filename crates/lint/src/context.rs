@@ -1,0 +1,186 @@
+//! What the rules read: the file in all its stages, and facts about it that are worked out once, when first asked for.
+
+mod reach;
+mod uses;
+
+use std::cell::OnceCell;
+
+use scenec_interpret::{Definition, DefinitionId, Interpretation, Occurrence, Role, SymbolId};
+use scenec_scene::{Light, Material, Scene, SettingInfo, Step};
+use scenec_syntax::{Content, Line, Space, Statement};
+use scenec_text::{SourceFile, Span};
+
+pub(crate) use reach::Reach;
+use uses::Uses;
+
+/// One file in all its stages.
+pub(crate) struct Context<'a> {
+    pub(crate) source: &'a SourceFile,
+    pub(crate) lines: &'a [Line],
+    pub(crate) interpretation: &'a Interpretation,
+    reach: OnceCell<Option<Reach>>,
+    uses: OnceCell<Uses>,
+}
+
+/// A statement with the names on it.
+pub(crate) struct Sentence<'a> {
+    /// The words of the line, without a comment.
+    pub(crate) span: Span,
+    pub(crate) statement: &'a Statement,
+    /// The names, in the order of the line; the first is the one that it begins with.
+    pub(crate) places: &'a [Occurrence],
+}
+
+impl<'a> Context<'a> {
+    pub(crate) const fn new(source: &'a SourceFile, lines: &'a [Line], interpretation: &'a Interpretation) -> Self {
+        Self {
+            source,
+            lines,
+            interpretation,
+            reach: OnceCell::new(),
+            uses: OnceCell::new(),
+        }
+    }
+
+    pub(crate) fn text(&self) -> &'a str {
+        self.source.text()
+    }
+
+    /// The scene, if the file has no error.
+    pub(crate) const fn scene(&self) -> Option<&'a Scene> {
+        self.interpretation.scene.as_ref()
+    }
+
+    /// Every material that a statement defines, those of a file with errors too.
+    pub(crate) fn materials(&self) -> impl Iterator<Item = (&'a Material, Span)> {
+        let fragments = &self.interpretation.fragments.materials;
+        let all = self.scene().map_or(fragments, |scene| &scene.materials);
+        all.iter().filter_map(|material| Some((material, material.span?)))
+    }
+
+    /// The lights as they stand at the end of the file, those of a file with errors too.
+    pub(crate) fn lights(&self) -> &'a [Light] {
+        let fragments = &self.interpretation.fragments.lights;
+        self.scene().map_or(fragments, |scene| &scene.lights)
+    }
+
+    /// The transforms as they were written, those of a file with errors too.
+    pub(crate) fn steps(&self) -> &'a [Step] {
+        let fragments = &self.interpretation.fragments.steps;
+        self.scene().map_or(fragments, |scene| &scene.steps)
+    }
+
+    /// What the submitted object is made of; `None` where there is no scene.
+    pub(crate) fn reach(&self) -> Option<&Reach> {
+        self.reach.get_or_init(|| self.scene().map(Reach::of)).as_ref()
+    }
+
+    /// The line that holds `place`, which may be its first byte or any other of its words.
+    pub(crate) fn line_at(&self, place: Span) -> Option<&'a Line> {
+        let after = self.lines.partition_point(|line| line.span.start <= place.start);
+        self.lines.get(after.checked_sub(1)?)
+    }
+
+    /// The statement of the line that holds `place`.
+    pub(crate) fn statement_at(&self, place: Span) -> Option<&'a Statement> {
+        match &self.line_at(place)?.content {
+            Content::Statement(statement) => Some(statement),
+            Content::Comment | Content::Broken(_) => None,
+        }
+    }
+
+    /// The place of a statement's value, by its number; the whole statement if it has no such value.
+    pub(crate) fn value_at(&self, statement: Span, number: usize) -> Span {
+        let values = self.statement_at(statement).map(Statement::values).unwrap_or_default();
+        values.get(number).map_or(statement, |value| value.span)
+    }
+
+    /// Every statement with its names, in the order of the file.
+    pub(crate) fn sentences(&self) -> impl Iterator<Item = Sentence<'a>> {
+        let mut rest = self.interpretation.symbols.occurrences();
+        self.lines.iter().filter_map(move |line| {
+            let before = rest.iter().take_while(|place| place.span.start < line.span.end).count();
+            let (places, after) = rest.split_at(before);
+            rest = after;
+            match &line.content {
+                Content::Statement(statement) => Some(Sentence {
+                    span: line.span,
+                    statement,
+                    places,
+                }),
+                Content::Comment | Content::Broken(_) => None,
+            }
+        })
+    }
+
+    /// The names on the line of a statement.
+    pub(crate) fn places_on(&self, statement: Span) -> &'a [Occurrence] {
+        let places = self.interpretation.symbols.occurrences();
+        let start = places.partition_point(|place| place.span.start < statement.start);
+        let end = places.partition_point(|place| place.span.start < statement.end);
+        places.get(start..end).unwrap_or_default()
+    }
+
+    /// Every definition with its number.
+    pub(crate) fn definitions(&self) -> &'a [Definition] {
+        self.interpretation.symbols.definitions()
+    }
+
+    /// The definition with this number.
+    pub(crate) fn definition(&self, id: DefinitionId) -> Option<&'a Definition> {
+        self.definitions().get(id.index())
+    }
+
+    /// The name that a definition binds, without a sigil, and its name space.
+    pub(crate) fn named(&self, definition: &Definition) -> (&'a str, Option<Space>) {
+        let symbol = self.interpretation.symbols.symbols().get(definition.symbol.0 as usize);
+        symbol.map_or(("", None), |symbol| (symbol.name.of(self.text()), Some(symbol.space)))
+    }
+
+    /// How many times a definition is read, by statements that are ignored too.
+    pub(crate) fn uses(&self, definition: DefinitionId) -> u32 {
+        self.all_uses().read(definition)
+    }
+
+    /// Whether any definition of a name is read.
+    pub(crate) fn ever_used(&self, symbol: SymbolId) -> bool {
+        self.all_uses().ever(symbol)
+    }
+
+    /// The last definition of every name of a space, in the order in which the names first stand in the file.
+    pub(crate) fn last_definitions(&self, space: Space) -> impl Iterator<Item = (DefinitionId, &'a Definition)> {
+        let all = self.all_uses().last();
+        all.filter_map(|id| Some((id, self.definition(id)?)))
+            .filter(move |(_, definition)| self.named(definition).1 == Some(space))
+    }
+
+    /// The places that edit what a definition made, in the order of the file.
+    pub(crate) fn edits(&self, definition: DefinitionId) -> impl Iterator<Item = Occurrence> {
+        let places = self.interpretation.symbols.occurrences();
+        let edits = self.all_uses().edits(definition);
+        edits
+            .iter()
+            .filter_map(move |index| places.get(*index as usize).copied())
+    }
+
+    fn all_uses(&self) -> &Uses {
+        self.uses.get_or_init(|| Uses::of(&self.interpretation.symbols))
+    }
+
+    /// The statement that sets a setting for good, with the place of its value.
+    pub(crate) fn setting(&self, row: &SettingInfo) -> Option<(Span, Span)> {
+        let named = |definition: &&Definition| {
+            let (name, space) = self.named(definition);
+            space == Some(Space::Variable) && (name == row.name || Some(name) == row.alias)
+        };
+        let line = self.definitions().iter().rev().find(named)?.line;
+        Some((line, self.value_at(line, 0)))
+    }
+
+    /// The variables that the values of a statement name, with what each is bound to.
+    pub(crate) fn variables_on(&self, statement: Span) -> impl Iterator<Item = (Span, &'a Definition)> {
+        let read = self.places_on(statement).iter().filter(|place| place.role == Role::Use);
+        read.filter_map(|place| Some((place.span, self.definition(place.definition?)?)))
+            .filter(|(_, definition)| self.named(definition).1 == Some(Space::Variable))
+    }
+}

@@ -1,0 +1,26 @@
+//! What the rules found so far.
+
+use scenec_text::Diagnostic;
+
+/// Findings in the order in which they came.
+#[derive(Default)]
+pub(crate) struct Findings {
+    list: Vec<Diagnostic>,
+}
+
+impl Findings {
+    pub(crate) fn push(&mut self, finding: Diagnostic) {
+        self.list.push(finding);
+    }
+
+    /// All of them, ordered by place and then by code.
+    pub(crate) fn sorted(mut self) -> Vec<Diagnostic> {
+        sort(&mut self.list);
+        self.list
+    }
+}
+
+/// Orders findings by place and then by code.
+pub(crate) fn sort(findings: &mut [Diagnostic]) {
+    findings.sort_by_key(|finding| (finding.span().start, finding.code));
+}

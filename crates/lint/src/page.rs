@@ -1,0 +1,92 @@
+//! Manual pages: the doc comment of a rule, taken over when it is compiled.
+
+use scenec_text::Code;
+
+use crate::pages::PAGES;
+use crate::rules::RULES;
+
+/// What the manual says about a code.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Page {
+    /// The code.
+    pub code: Code,
+    /// Markdown as the doc comment holds it: each line begins with the space after its slashes.
+    raw: &'static str,
+}
+
+impl Page {
+    pub(crate) const fn new(code: Code, raw: &'static str) -> Self {
+        Self { code, raw }
+    }
+
+    /// The page's heading, such as `W012: unused-object`.
+    #[must_use]
+    pub fn title(&self) -> String {
+        format!("{}: {}", self.code.id(), self.name())
+    }
+
+    /// The code's name in words, such as `unused-object`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        let mut name = String::new();
+        for letter in format!("{:?}", self.code).chars() {
+            if letter.is_uppercase() && !name.is_empty() {
+                name.push('-');
+            }
+            name.extend(letter.to_lowercase());
+        }
+        name
+    }
+
+    /// The page in Markdown, without its heading: what is found and why it matters, then `## Example` and `## Fixed`.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let lines: Vec<_> = self
+            .raw
+            .lines()
+            .map(|line| line.strip_prefix(' ').unwrap_or(line))
+            .collect();
+        format!("{}\n", lines.join("\n").trim())
+    }
+
+    /// The fenced scene under a heading, if the page has it.
+    #[must_use]
+    pub fn scene(&self, heading: &str) -> Option<String> {
+        let text = self.text();
+        let (_, section) = text.split_once(&format!("\n## {heading}\n"))?;
+        let (_, block) = section.split_once("```scene\n")?;
+        let (scene, _) = block.split_once("```")?;
+        Some(scene.to_owned())
+    }
+}
+
+/// Every page, in the order of the table of codes.
+#[must_use]
+pub fn pages() -> Vec<Page> {
+    Code::ALL.iter().filter_map(|code| page(*code)).collect()
+}
+
+/// The page of a code; every code has one.
+#[must_use]
+pub fn page(code: Code) -> Option<Page> {
+    let rules = RULES.iter().map(|rule| &rule.page);
+    rules.chain(PAGES).find(|page| page.code == code).copied()
+}
+
+/// The page of a code that another stage reports: `page! { /// ... Code }`.
+macro_rules! page {
+    ($(#[doc = $doc:literal])+ $code:ident) => {
+        $crate::page::Page::new(scenec_text::Code::$code, concat!($($doc, "\n",)+))
+    };
+}
+
+/// A rule with its page: `rule! { /// ... Code, check }`.
+macro_rules! rule {
+    ($(#[doc = $doc:literal])+ $code:ident, $check:path) => {
+        $(#[doc = $doc])+
+        pub(crate) const RULE: $crate::rule::Rule = $crate::rule::Rule {
+            page: page! { $(#[doc = $doc])+ $code },
+            check: $check,
+        };
+    };
+}
