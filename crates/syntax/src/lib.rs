@@ -1,9 +1,10 @@
 //! Tokens and statements: how a scene is written.
 //!
-//! Owns the scanner, the parser and the table of statement forms. It must not know what a name stands for, which base
-//! objects exist, or what a material is.
+//! Owns the scanner, the parser, the formatter and the table of statement forms. It must not know what a name stands
+//! for, which base objects exist, or what a material is.
 
 mod characters;
+mod format;
 mod forms;
 mod number;
 mod parse;
@@ -11,6 +12,7 @@ mod quote;
 mod statement;
 mod token;
 
+pub use format::{FormatStyle, Refused, format};
 pub use forms::{FORMS, Form, FormInfo, Space};
 pub use parse::parse;
 pub use quote::quote;
