@@ -2,6 +2,7 @@
 
 mod agree;
 mod random;
+mod shots;
 
 use std::path::PathBuf;
 
@@ -10,6 +11,7 @@ use scenec_text::SourceFile;
 
 pub use agree::{Disagreement, Mask, compare};
 pub use random::random_scene;
+pub use shots::{Lens, Shot, device, shots, shots_of};
 
 /// The project's top folder.
 #[must_use]

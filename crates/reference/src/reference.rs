@@ -151,7 +151,7 @@ struct Row<'a> {
 impl Row<'_> {
     fn put(&mut self, index: usize, sight: &Sight) {
         let colour = sight.colour.to_array();
-        self.picture[index] = colour.map(|value| value as f32);
+        self.picture[index] = colour.map(single);
         if let Some(ids) = &mut self.ids {
             ids[index] = sight.leaf;
         }
@@ -162,6 +162,11 @@ impl Row<'_> {
             paths[index] = sight.path;
         }
     }
+}
+
+/// The nearest finite single: colours beyond the range of the picture's numbers end at its bounds.
+fn single(value: f64) -> f32 {
+    (value as f32).clamp(f32::MIN, f32::MAX)
 }
 
 /// The rows of a layer; of one that nobody asked for there is nothing in each.
