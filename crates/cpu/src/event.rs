@@ -17,17 +17,6 @@ pub(crate) struct Hit<R> {
     pub(crate) leaving: bool,
 }
 
-/// Room that one thread uses again and again.
-pub(crate) struct Scratch<R> {
-    intervals: Vec<Interval<R>>,
-}
-
-impl<R> Scratch<R> {
-    pub(crate) const fn new() -> Self {
-        Self { intervals: Vec::new() }
-    }
-}
-
 /// The first entry into an island after the start of a ray from outside, and not after `until`.
 #[inline(always)]
 pub(crate) fn entered<R: Real>(
@@ -35,10 +24,10 @@ pub(crate) fn entered<R: Real>(
     island: &Island,
     ray: &Ray<R>,
     until: R,
-    scratch: &mut Scratch<R>,
+    intervals: &mut Vec<Interval<R>>,
 ) -> Option<Hit<R>> {
     let Some(leaf) = lone(scene, island) else {
-        return Crossings::new(scene, island, ray, scratch).change(R::ZERO, until, false);
+        return Crossings::new(scene, island, ray, intervals).change(R::ZERO, until, false);
     };
     let (enter, leave) = leaf_interval(scene, leaf, ray);
     (enter > R::ZERO && enter < leave && enter <= until).then_some(Hit {
@@ -55,7 +44,7 @@ pub(crate) fn left<R: Real>(
     island: &Island,
     ray: &Ray<R>,
     from: R,
-    scratch: &mut Scratch<R>,
+    intervals: &mut Vec<Interval<R>>,
 ) -> Option<Hit<R>> {
     let endless = |leaf: u32| Hit {
         distance: R::INFINITY,
@@ -69,7 +58,7 @@ pub(crate) fn left<R: Real>(
             ..endless(leaf)
         });
     }
-    let crossings = Crossings::new(scene, island, ray, scratch);
+    let crossings = Crossings::new(scene, island, ray, intervals);
     let first = scene.members[island.members as usize];
     crossings
         .holds(from)
@@ -97,16 +86,14 @@ struct Crossings<'a, R> {
 
 impl<'a, R: Real> Crossings<'a, R> {
     #[inline(always)]
-    fn new(scene: &'a Packed<R>, island: &'a Island, ray: &Ray<R>, scratch: &'a mut Scratch<R>) -> Self {
+    fn new(scene: &'a Packed<R>, island: &'a Island, ray: &Ray<R>, intervals: &'a mut Vec<Interval<R>>) -> Self {
         let members = &scene.members[island.members as usize..island.members_end as usize];
-        scratch.intervals.clear();
-        scratch
-            .intervals
-            .extend(members.iter().map(|leaf| leaf_interval(scene, *leaf, ray)));
+        intervals.clear();
+        intervals.extend(members.iter().map(|leaf| leaf_interval(scene, *leaf, ray)));
         Self {
             scene,
             island,
-            intervals: &scratch.intervals,
+            intervals,
         }
     }
 

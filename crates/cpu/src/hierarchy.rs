@@ -5,9 +5,27 @@ use std::ops::Range;
 use scenec_plan::packed_structs::{Island, Node};
 use scenec_plan::{HIERARCHY_DEPTH, Packed, Real};
 
-use crate::event::{Hit, Scratch, entered, left};
+use crate::event::{Hit, entered, left};
 use crate::ray::Ray;
+use crate::shape::Interval;
 use crate::vector::Vector;
+
+/// Room that one thread uses again and again.
+pub(crate) struct Scratch<R> {
+    /// The intervals of one island's members along one ray.
+    intervals: Vec<Interval<R>>,
+    /// Nodes that wait, each with the distance at which the ray enters it.
+    waiting: Vec<(R, u32)>,
+}
+
+impl<R> Scratch<R> {
+    pub(crate) fn new() -> Self {
+        Self {
+            intervals: Vec::new(),
+            waiting: Vec::with_capacity(HIERARCHY_DEPTH),
+        }
+    }
+}
 
 /// The first crossing of the solid's surface.
 #[inline(always)]
@@ -25,9 +43,9 @@ pub(crate) fn blocked<R: Real>(scene: &Packed<R>, ray: &Ray<R>, until: R, scratc
     if ray.inside {
         return leave(scene, ray, scratch).is_some_and(|hit| hit.distance < until);
     }
-    let mut cursor = Cursor::new(scene, ray, R::ZERO, until);
+    let mut cursor = Cursor::new(scene, ray, R::ZERO, until, &mut scratch.waiting);
     while let Some(island) = cursor.next() {
-        if let Some(hit) = entered(scene, island, ray, until, scratch)
+        if let Some(hit) = entered(scene, island, ray, until, &mut scratch.intervals)
             && hit.distance < until
         {
             return true;
@@ -40,9 +58,9 @@ pub(crate) fn blocked<R: Real>(scene: &Packed<R>, ray: &Ray<R>, until: R, scratc
 #[inline(always)]
 fn enter<R: Real>(scene: &Packed<R>, ray: &Ray<R>, scratch: &mut Scratch<R>) -> Option<Hit<R>> {
     let mut nearest: Option<Hit<R>> = None;
-    let mut cursor = Cursor::new(scene, ray, R::ZERO, R::INFINITY);
+    let mut cursor = Cursor::new(scene, ray, R::ZERO, R::INFINITY, &mut scratch.waiting);
     while let Some(island) = cursor.next() {
-        if let Some(hit) = entered(scene, island, ray, cursor.until, scratch)
+        if let Some(hit) = entered(scene, island, ray, cursor.until, &mut scratch.intervals)
             && nearest.is_none_or(|best| (hit.distance, hit.leaf) < (best.distance, best.leaf))
         {
             cursor.until = hit.distance;
@@ -60,9 +78,9 @@ fn leave<R: Real>(scene: &Packed<R>, ray: &Ray<R>, scratch: &mut Scratch<R>) -> 
     let mut reached: Option<Hit<R>> = None;
     loop {
         let mut farthest: Option<Hit<R>> = None;
-        let mut cursor = Cursor::new(scene, ray, at, at);
+        let mut cursor = Cursor::new(scene, ray, at, at, &mut scratch.waiting);
         while let Some(island) = cursor.next() {
-            let Some(hit) = left(scene, island, ray, at, scratch) else {
+            let Some(hit) = left(scene, island, ray, at, &mut scratch.intervals) else {
                 continue;
             };
             if hit.distance == R::INFINITY {
@@ -92,29 +110,27 @@ struct Cursor<'a, R> {
     until: R,
     /// The islands that come next.
     islands: Range<u32>,
-    waiting: [(R, u32); HIERARCHY_DEPTH],
-    count: usize,
+    waiting: &'a mut Vec<(R, u32)>,
 }
 
 impl<'a, R: Real> Cursor<'a, R> {
     #[inline(always)]
-    fn new(scene: &'a Packed<R>, ray: &Ray<R>, from: R, until: R) -> Self {
+    fn new(scene: &'a Packed<R>, ray: &Ray<R>, from: R, until: R, waiting: &'a mut Vec<(R, u32)>) -> Self {
+        waiting.clear();
         let [x, y, z] = ray.direction;
-        let mut cursor = Self {
+        let cursor = Self {
             scene,
             origin: ray.origin,
             inverse: [R::ONE / x, R::ONE / y, R::ONE / z],
             from,
             until,
             islands: 0..scene.frame.linear,
-            waiting: [(R::ZERO, 0); HIERARCHY_DEPTH],
-            count: 0,
+            waiting,
         };
         if let Some(root) = scene.nodes.first()
             && let Some(entry) = cursor.meets(root)
         {
-            cursor.waiting[0] = (entry, 0);
-            cursor.count = 1;
+            cursor.waiting.push((entry, 0));
         }
         cursor
     }
@@ -122,8 +138,7 @@ impl<'a, R: Real> Cursor<'a, R> {
     #[inline(always)]
     fn next(&mut self) -> Option<&'a Island> {
         while self.islands.is_empty() {
-            self.count = self.count.checked_sub(1)?;
-            let (entry, index) = self.waiting[self.count];
+            let (entry, index) = self.waiting.pop()?;
             // `until` may have come nearer since the node was put aside.
             if entry <= self.until * slack() {
                 self.descend(index);
@@ -148,8 +163,7 @@ impl<'a, R: Real> Cursor<'a, R> {
                 (None, None) => return,
             };
             if let Some(far) = far {
-                self.waiting[self.count] = far;
-                self.count += 1;
+                self.waiting.push(far);
             }
             node = &self.scene.nodes[near as usize];
         }

@@ -4,8 +4,8 @@ use scenec_picture::NOTHING;
 use scenec_plan::packed_structs::Material;
 use scenec_plan::{Packed, Real};
 
-use crate::event::{Hit, Scratch};
-use crate::hierarchy;
+use crate::event::Hit;
+use crate::hierarchy::{self, Scratch};
 use crate::ray::{End, Ray};
 use crate::shade;
 use crate::shape::contact;

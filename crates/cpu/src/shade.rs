@@ -3,8 +3,7 @@
 use scenec_plan::packed_structs::{Light, Material};
 use scenec_plan::{Packed, Real};
 
-use crate::event::Scratch;
-use crate::hierarchy::blocked;
+use crate::hierarchy::{Scratch, blocked};
 use crate::ray::{End, Ray};
 use crate::shape::Contact;
 use crate::vector::{Vector, dot, fma, scale, sub};
