@@ -1,0 +1,133 @@
+//! POV-Ray as a second opinion: scenes written for both, each surface in a flat colour of its own, must show the same
+//! surface in every pixel but for those on an edge.
+//!
+//! `tests/povray/NAME.scene` and `NAME.pov` are translations of each other; each `.pov` tells how the axes carry over.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test may stop at once and tell what it skips"
+)]
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use scenec_picture::NOTHING;
+use scenec_scene::Scene;
+use scenec_tests::{Shot, root, scene, shots};
+
+/// Colours are made of 0 and 1 alone, so that three bits name one; this is the sky's.
+const WHITE: u8 = 7;
+
+/// One colour a pixel.
+type Mask = Vec<u8>;
+
+fn class(colour: [f64; 3]) -> u8 {
+    colour.iter().fold(0, |class, value| {
+        assert!(*value < 0.01 || *value > 0.99, "{colour:?} is no flat colour");
+        class * 2 + u8::from(*value > 0.5)
+    })
+}
+
+fn has_povray() -> bool {
+    let found = Command::new("povray").arg("--version").output().is_ok();
+    assert!(
+        found || std::env::var_os("SCENEC_REQUIRE_POVRAY").is_none(),
+        "SCENEC_REQUIRE_POVRAY is set, so povray must be on the path"
+    );
+    found
+}
+
+fn names() -> Vec<PathBuf> {
+    let folder = std::fs::read_dir(root().join("tests/povray")).unwrap();
+    let paths = folder.map(|entry| entry.unwrap().path());
+    let mut scenes: Vec<_> = paths
+        .filter(|path| path.extension().is_some_and(|e| e == "scene"))
+        .collect();
+    scenes.sort();
+    scenes
+}
+
+/// What POV-Ray sees, without anti-aliasing or gamma.
+fn by_povray(pov: &Path, scene: &Scene) -> Mask {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out.ppm");
+    let (width, height) = (scene.settings.width, scene.settings.height);
+    let run = Command::new("povray")
+        .arg(format!("+I{}", pov.display()))
+        .arg(format!("+O{}", out.display()))
+        .args([format!("+W{width}"), format!("+H{height}")])
+        .args(["+FP8", "-A", "-D", "-P", "+WT1", "File_Gamma=1.0"])
+        .env("HOME", folder.path())
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    let log = String::from_utf8_lossy(&run.stderr);
+    assert!(run.status.success(), "{}: {log}", pov.display());
+    let bytes = std::fs::read(out).unwrap();
+    let pixels = (width * height * 3) as usize;
+    assert!(bytes.starts_with(b"P6") && bytes.len() > pixels, "{}", pov.display());
+    let (rgb, _) = bytes[bytes.len() - pixels..].as_chunks::<3>();
+    rgb.iter()
+        .map(|rgb| class(rgb.map(|value| f64::from(value) / 255.0)))
+        .collect()
+}
+
+fn by_us(shot: &Shot) -> Mask {
+    let ids = shot.frame.ids.as_ref().unwrap();
+    let pixels = shot.frame.picture.pixels().iter().zip(ids);
+    let mask = |(colour, id): (&[f32; 3], &u32)| {
+        let class = class(colour.map(f64::from));
+        assert_eq!(class == WHITE, *id == NOTHING, "{}", shot.tracer);
+        class
+    };
+    pixels.map(mask).collect()
+}
+
+/// How many pixels differ; none may but where the other's colour is next to it.
+fn differing(who: &str, ours: &Mask, theirs: &Mask, width: usize) -> usize {
+    let height = ours.len() / width;
+    let beside = |i: usize| {
+        let (x, y) = (i % width, i / width);
+        let columns = x.saturating_sub(1)..(x + 2).min(width);
+        let mut rows = y.saturating_sub(1)..(y + 2).min(height);
+        rows.any(|row| columns.clone().any(|column| ours[row * width + column] == theirs[i]))
+    };
+    let differing: Vec<_> = (0..ours.len()).filter(|i| ours[*i] != theirs[*i]).collect();
+    let astray: Vec<_> = differing
+        .iter()
+        .filter(|i| !beside(**i))
+        .map(|i| (i % width, i / width))
+        .collect();
+    assert!(
+        astray.is_empty(),
+        "{who}: {} pixels away from any edge: {:?}",
+        astray.len(),
+        &astray[..astray.len().min(9)]
+    );
+    differing.len()
+}
+
+#[test]
+fn povray_sees_the_same_surfaces() {
+    if !has_povray() {
+        println!("skipped: there is no povray");
+        return;
+    }
+    let scenes = names();
+    assert!(scenes.len() >= 5);
+    for path in scenes {
+        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let scene = scene(&name, &std::fs::read_to_string(&path).unwrap());
+        let theirs = by_povray(&path.with_extension("pov"), &scene);
+        for shot in shots(&scene) {
+            let ours = by_us(&shot);
+            let who = format!("{name} by {}", shot.tracer);
+            let colours = (0..=WHITE).filter(|c| ours.iter().filter(|o| *o == c).count() * 200 > ours.len());
+            assert!(colours.count() >= 3, "{who}: nothing much to compare");
+            let differing = differing(&who, &ours, &theirs, scene.settings.width as usize);
+            println!("{who}: {differing} of {} pixels differ", ours.len());
+            assert!(differing * 1000 < ours.len(), "{who}: {differing} pixels differ");
+        }
+    }
+}
