@@ -58,6 +58,16 @@ impl<'a> Context<'a> {
         all.iter().filter_map(|material| Some((material, material.span?)))
     }
 
+    /// The materials that statements define and that show in the submitted object.
+    pub(crate) fn shown_materials(&self) -> impl Iterator<Item = (&'a Material, Span)> {
+        let scene = self.scene().zip(self.reach());
+        let all = scene.into_iter().flat_map(|(scene, reach)| {
+            let numbered = scene.materials.iter().enumerate();
+            numbered.filter(|(index, _)| reach.material(*index))
+        });
+        all.filter_map(|(_, material)| Some((material, material.span?)))
+    }
+
     /// The lights as they stand at the end of the file, those of a file with errors too.
     pub(crate) fn lights(&self) -> &'a [Light] {
         let fragments = &self.interpretation.fragments.lights;
@@ -131,6 +141,12 @@ impl<'a> Context<'a> {
         self.definitions().get(id.index())
     }
 
+    /// The definition that a statement makes.
+    pub(crate) fn definition_at(&self, statement: Span) -> Option<DefinitionId> {
+        let places = self.places_on(statement);
+        places.iter().find(|place| place.role == Role::Define)?.definition
+    }
+
     /// The name that a definition binds, without a sigil, and its name space.
     pub(crate) fn named(&self, definition: &Definition) -> (&'a str, Option<Space>) {
         let symbol = self.interpretation.symbols.symbols().get(definition.symbol.0 as usize);
@@ -161,6 +177,15 @@ impl<'a> Context<'a> {
         edits
             .iter()
             .filter_map(move |index| places.get(*index as usize).copied())
+    }
+
+    /// The statement that makes something, and every one that edits it.
+    pub(crate) fn definition_and_edits(&self, definition: DefinitionId) -> Vec<Span> {
+        let edits = self
+            .edits(definition)
+            .filter_map(|edit| Some(self.line_at(edit.span)?.span));
+        let made = self.definition(definition).map(|definition| definition.line);
+        made.into_iter().chain(edits).collect()
     }
 
     fn all_uses(&self) -> &Uses {

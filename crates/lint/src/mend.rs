@@ -1,18 +1,42 @@
-//! Repairs for what the interpreter reported: it knows what a statement means, not how to take one away.
+//! Repairs for what the earlier stages reported: they know what a statement means, not how to take one away.
 
-use scenec_text::{Code, Diagnostic};
+use scenec_syntax::Space;
+use scenec_text::{Code, Diagnostic, Edit, Fix};
 
 use crate::context::Context;
 
 /// Attaches a repair to every finding that has a mechanical one.
 pub(crate) fn mend(context: &Context<'_>, findings: &mut [Diagnostic]) {
     for finding in findings.iter_mut().filter(|finding| finding.fix.is_none()) {
-        let title = match finding.code {
-            Code::AfterSubmission => "remove the ignored statement",
-            Code::OperandEdited => "remove the edit",
-            Code::MaterialRedefined => "remove the definition",
-            _ => continue,
+        let place = finding.span();
+        finding.fix = match finding.code {
+            Code::AfterSubmission => context.removal("remove the ignored statement", &[place]),
+            Code::OperandEdited => context.removal("remove the edit", &[place]),
+            Code::MaterialRedefined => context.removal("remove the definition", &[place]),
+            Code::UnusedVariable => context.removal("remove the variable", &[place]),
+            Code::OverwrittenUnused => overwritten(context, finding),
+            Code::NumberUnderflow => Some(Fix {
+                title: "write 0".to_owned(),
+                edits: vec![Edit {
+                    span: place,
+                    text: "0".to_owned(),
+                }],
+                safe: true,
+            }),
+            _ => None,
         };
-        finding.fix = context.removal(title, &[finding.span()]);
     }
+}
+
+/// Removes what a later statement overwrites, with its edits.
+fn overwritten(context: &Context<'_>, finding: &Diagnostic) -> Option<Fix> {
+    let id = context.definition_at(finding.span())?;
+    let mut fix = context.removal("remove the first one", &context.definition_and_edits(id))?;
+    // A light keeps the place in the list where its name first stood, and the order in which lights are added up shows
+    // in the last bits of a colour.
+    let space = context
+        .definition(id)
+        .and_then(|definition| context.named(definition).1);
+    fix.safe = space != Some(Space::Light);
+    Some(fix)
 }

@@ -47,7 +47,7 @@ impl Context<'_> {
 
     /// The line that holds a place, its line end included.
     pub(crate) fn whole_line(&self, place: Span) -> Span {
-        let number = self.source.position(place.start).line;
+        let number = self.source.line_of(place.start);
         let line = self.source.line_span(number).unwrap_or(place);
         let end = self.source.line_span(number + 1).map_or(line.end, |next| next.start);
         Span::new(line.start, end)

@@ -1,12 +1,29 @@
-//! The rules: one file each.
+//! The rules: one file each, in folders by what they are about.
 
 mod dropped;
+mod values;
 
 use crate::rule::Rule;
 
 /// Every rule. What one reports no other reports again.
 pub(crate) const RULES: &[Rule] = &[
     // Work that does nothing.
+    dropped::unused_object::RULE,
     dropped::unused_material::RULE,
     dropped::idle_transform::RULE,
+    dropped::effectless_transform::RULE,
+    dropped::material_replaced::RULE,
+    // Values that do not do what they seem to.
+    values::energy_gain::RULE,
+    values::negative_coefficient::RULE,
+    values::colour_out_of_range::RULE,
+    values::negative_light::RULE,
+    values::lost_highlight::RULE,
+    values::likely_degrees::RULE,
+    values::huge_picture::RULE,
+    values::lost_reflection::RULE,
+    values::dark_light::RULE,
+    values::unbent_glass::RULE,
+    values::many_samples::RULE,
+    values::idle_depth::RULE,
 ];

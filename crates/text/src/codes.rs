@@ -105,10 +105,42 @@ codes! {
     UpAlongView = "W010", Warning;
     /// An index of refraction that bends light as no glass does.
     StrangeIndex = "W011", Warning;
+    /// An object that no part of the picture uses.
+    UnusedObject = "W012", Warning;
     /// A material that no object takes.
     UnusedMaterial = "W013", Warning;
     /// A transform by nothing.
     IdleTransform = "W014", Warning;
+    /// A transform that turns or stretches an object into itself.
+    EffectlessTransform = "W015", Warning;
+    /// A material of an object that another one replaces before anything used it.
+    MaterialReplaced = "W016", Warning;
+    /// A material that gives back more light than it gets.
+    EnergyGain = "W017", Warning;
+    /// A negative share of light in a material.
+    NegativeCoefficient = "W018", Warning;
+    /// A material's colour outside 0 to 1.
+    ColourOutOfRange = "W019", Warning;
+    /// A light or an ambient light of negative colour.
+    NegativeLight = "W020", Warning;
+    /// A highlight in a scene without a light.
+    LostHighlight = "W021", Warning;
+    /// A rotation that looks like degrees.
+    LikelyDegrees = "W022", Warning;
+    /// A picture that takes a great deal of memory.
+    HugePicture = "W023", Warning;
+    /// Mirrors or glass in a scene that follows no ray on.
+    LostReflection = "W024", Warning;
+    /// A light that is black.
+    DarkLight = "W025", Warning;
+    /// A comment that silences nothing.
+    UselessAllow = "I001", Hint;
+    /// A refraction that bends nothing.
+    UnbentGlass = "I002", Hint;
+    /// A great many sample points.
+    ManySamples = "I003", Hint;
+    /// A ray depth that no material uses.
+    IdleDepth = "I004", Hint;
 }
 
 #[cfg(test)]

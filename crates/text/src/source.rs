@@ -123,6 +123,13 @@ impl SourceFile {
         Some(Span::new(start, end - cr))
     }
 
+    /// The number of the line that an offset lies on, as in [`Position::line`], without counting what is before it there.
+    #[must_use]
+    pub fn line_of(&self, offset: u32) -> u32 {
+        let after = self.lines.partition_point(|start| *start <= offset);
+        u32::try_from(after.saturating_sub(1)).unwrap_or(u32::MAX)
+    }
+
     /// Where an offset lies. One inside a character counts as that character's start, one past the end as the end,
     /// one in a byte-order mark as the start of the first line.
     #[must_use]

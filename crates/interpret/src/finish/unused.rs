@@ -2,8 +2,9 @@
 
 use scenec_scene::{SETTINGS, setting};
 use scenec_syntax::{Space, quote};
-use scenec_text::{Code, Diagnostic};
+use scenec_text::{Code, Diagnostic, Span};
 
+use super::unknown::rename;
 use crate::bindings::{Paint, Variable};
 use crate::names::Binding;
 use crate::state::State;
@@ -59,7 +60,14 @@ fn unread(name: &str, variable: &Variable, suggestions: &mut Suggestions) -> Dia
         .iter()
         .flat_map(|row| std::iter::once(row.name).chain(row.alias));
     match suggestions.closest(name, settings.map(Some)) {
-        Some(near) => finding.help(format!("did you mean the setting `{near}`?")),
+        Some(near) => {
+            // The statement begins with the name.
+            let start = variable.line.start;
+            let written = Span::new(start, start + u32::try_from(name.len()).unwrap_or_default());
+            finding
+                .help(format!("did you mean the setting `{near}`?"))
+                .fix(rename(written, near))
+        }
         None => finding.help("remove it, or use it"),
     }
 }

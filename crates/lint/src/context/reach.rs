@@ -1,12 +1,11 @@
 //! What the submitted object is made of.
 
-use scenec_scene::{MaterialId, Scene, SolidKind};
+use scenec_scene::{Base, MaterialId, Scene, SolidKind};
 
 /// Which solids and materials of a scene show in the submitted object, whatever its operators leave of them.
 pub(crate) struct Reach {
-    solids: Vec<Reached>,
     materials: Vec<bool>,
-    steps: Vec<bool>,
+    steps: Vec<Option<Base>>,
 }
 
 /// How a solid is reached; it may be in both ways, since operands are shared.
@@ -64,16 +63,7 @@ impl Reach {
             }
         }
         let steps = steps(scene, &solids);
-        Self {
-            solids,
-            materials,
-            steps,
-        }
-    }
-
-    /// Whether the solid with this number is part of the submitted object.
-    pub(crate) fn solid(&self, index: usize) -> bool {
-        self.solids.get(index).is_some_and(|here| here.painted || here.bare)
+        Self { materials, steps }
     }
 
     /// Whether the material with this number is that of a part of the submitted object.
@@ -81,21 +71,21 @@ impl Reach {
         self.materials.get(index).copied().unwrap_or_default()
     }
 
-    /// Whether the transform with this number moved a part of the submitted object.
-    pub(crate) fn step(&self, index: usize) -> bool {
-        self.steps.get(index).copied().unwrap_or_default()
+    /// The base object that the transform with this number moved, if that is part of the submitted object.
+    pub(crate) fn step(&self, index: usize) -> Option<Base> {
+        self.steps.get(index).copied().flatten()
     }
 }
 
 /// Follows every reached leaf's transforms back, up to those that another leaf of the same object had already.
-fn steps(scene: &Scene, solids: &[Reached]) -> Vec<bool> {
-    let mut reached = vec![false; scene.steps.len()];
+fn steps(scene: &Scene, solids: &[Reached]) -> Vec<Option<Base>> {
+    let mut reached = vec![None; scene.steps.len()];
     for (solid, here) in scene.solids.iter().zip(solids) {
         let SolidKind::Leaf(leaf) = &solid.kind else { continue };
         let mut next = leaf.steps.filter(|_| here.painted || here.bare);
         while let Some(id) = next
             && let Some(seen) = reached.get_mut(id.index())
-            && !std::mem::replace(seen, true)
+            && seen.replace(leaf.base).is_none()
         {
             next = scene.steps.get(id.index()).and_then(|step| step.previous);
         }
