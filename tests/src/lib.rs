@@ -1,6 +1,8 @@
 //! What the tests across crates share: scenes from text, seeded random scenes, and how two tracers' frames are compared.
 
 mod agree;
+mod closed;
+mod flat;
 mod random;
 mod shots;
 
@@ -10,6 +12,8 @@ use scenec_scene::Scene;
 use scenec_text::SourceFile;
 
 pub use agree::{Disagreement, Mask, compare};
+pub use closed::{check_classes, check_colours, closed_stage, meets};
+pub use flat::{BLUE, RED, check_all, check_empty, check_middle, flat_stage, middle, near};
 pub use random::random_scene;
 pub use shots::{Lens, Shot, device, shots, shots_of};
 
