@@ -23,6 +23,15 @@ const REFLECT: usize = 3;
 /// Place of the weight of the refraction.
 const REFRACT: usize = 4;
 
+/// A number for a message: short, however large or small it is.
+fn figure(number: f64) -> String {
+    if number == 0.0 || (1e-4..1e9).contains(&number.abs()) {
+        number.to_string()
+    } else {
+        format!("{number:e}")
+    }
+}
+
 /// The name of the material that a statement defines, for a message.
 fn material_name(context: &Context<'_>, statement: Span) -> String {
     let name = context.statement_at(statement).map_or(statement, Statement::name);

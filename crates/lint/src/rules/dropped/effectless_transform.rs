@@ -1,7 +1,8 @@
 //! Transforms of an object into itself.
 
+use scenec_interpret::Role;
 use scenec_scene::{Axis, Base, DVec3, StepKind};
-use scenec_text::{Code, Diagnostic};
+use scenec_text::{Code, Diagnostic, Span};
 
 use crate::context::Context;
 use crate::findings::Findings;
@@ -14,7 +15,8 @@ rule! {
     /// every side, so it has to be stretched or moved first and turned afterwards. A half-space has no ends and no
     /// pattern: along its plane there is nothing to stretch, turn or move.
     ///
-    /// Only what follows from the transforms before it is reported, never what merely comes close.
+    /// Only what follows from the transforms before it is reported, never what merely comes close. A transform by a
+    /// variable that other statements read too is passed over: there, several objects are treated alike.
     ///
     /// ## Example
     ///
@@ -96,6 +98,16 @@ fn still(height: f64, by: f64) -> bool {
     by == 1.0 || (height == 0.0 && by > 0.0)
 }
 
+/// Whether a value of the transform is a variable that other statements read too.
+fn shared(context: &Context<'_>, statement: Span) -> bool {
+    let here = context
+        .places_on(statement)
+        .iter()
+        .filter(|place| place.role == Role::Use);
+    let elsewhere = |id| context.uses(id) as usize > here.clone().filter(|place| place.definition == Some(id)).count();
+    here.clone().filter_map(|place| place.definition).any(elsewhere)
+}
+
 /// Whether another rule reports the transform.
 fn idle(kind: StepKind) -> bool {
     match kind {
@@ -113,7 +125,7 @@ fn check(context: &Context<'_>, findings: &mut Findings) {
         let before = previous.copied().unwrap_or(UNTOUCHED);
         after.push(before.after(step.kind));
         let reason = reach.step(index).and_then(|base| before.reason(base, step.kind));
-        if let Some(reason) = reason.filter(|_| !idle(step.kind)) {
+        if let Some(reason) = reason.filter(|_| !idle(step.kind) && !shared(context, step.span)) {
             let mut finding = Diagnostic::new(
                 Code::EffectlessTransform,
                 "this transform maps the object onto itself",

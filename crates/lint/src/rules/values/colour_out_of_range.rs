@@ -4,7 +4,7 @@ use scenec_text::{Code, Diagnostic};
 
 use crate::context::Context;
 use crate::findings::Findings;
-use crate::rules::values::material_name;
+use crate::rules::values::{figure, material_name};
 
 rule! {
     /// A material whose red, green or blue is less than 0 or more than 1.
@@ -61,11 +61,11 @@ fn check(context: &Context<'_>, findings: &mut Findings) {
                 material_name(context, statement)
             ),
             context.value_at(statement, number),
-            format!("is {part}"),
+            format!("is {}", figure(part)),
         )
         .help(help);
         for (number, part) in outside {
-            finding = finding.label(context.value_at(statement, number), format!("is {part}"));
+            finding = finding.label(context.value_at(statement, number), format!("is {}", figure(part)));
         }
         findings.push(finding);
     }

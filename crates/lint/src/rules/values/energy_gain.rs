@@ -4,7 +4,7 @@ use scenec_text::{Code, Diagnostic};
 
 use crate::context::Context;
 use crate::findings::Findings;
-use crate::rules::values::{REFLECT, REFRACT, material_name};
+use crate::rules::values::{REFLECT, REFRACT, figure, material_name};
 
 rule! {
     /// A material whose reflection and refraction together are more than 1.
@@ -53,12 +53,12 @@ fn check(context: &Context<'_>, findings: &mut Findings) {
                 format!(
                     "{} gives back {} times the light that it gets",
                     material_name(context, statement),
-                    rounded(sum)
+                    figure(rounded(sum))
                 ),
                 reflect,
-                format!("reflects {}", material.reflect),
+                format!("reflects {}", figure(material.reflect)),
             )
-            .label(refract, format!("refracts {}", material.refract))
+            .label(refract, format!("refracts {}", figure(material.refract)))
             .help("let the two add up to 1 at most"),
         );
     }

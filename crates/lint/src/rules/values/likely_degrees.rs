@@ -9,6 +9,7 @@ use scenec_text::{Code, Diagnostic, Edit, Fix, Span};
 
 use crate::context::Context;
 use crate::findings::Findings;
+use crate::rules::values::figure;
 
 rule! {
     /// A rotation by more than a full turn, which 2 pi is: the value may be meant in degrees.
@@ -63,13 +64,14 @@ fn check(context: &Context<'_>, findings: &mut Findings) {
 fn report(context: &Context<'_>, statement: Span, angle: f64, variable: Option<Span>) -> Diagnostic {
     let value = context.value_at(statement, 0);
     let radians = angle.to_radians();
+    let (degrees, turned) = (figure(angle), figure(radians));
     let finding = Diagnostic::new(
         Code::LikelyDegrees,
-        format!("a rotation by {angle} is more than a full turn: are these degrees?"),
+        format!("a rotation by {degrees} is more than a full turn: are these degrees?"),
         value,
-        format!("{angle} radians"),
+        format!("{degrees} radians"),
     )
-    .help(format!("angles are in radians: {angle} degrees are {radians}"));
+    .help(format!("angles are in radians: {degrees} degrees are {turned}"));
     if let Some(line) = variable {
         return finding.label(line, "the value comes from here");
     }

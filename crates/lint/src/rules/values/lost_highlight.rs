@@ -5,7 +5,7 @@ use scenec_text::{Code, Diagnostic};
 
 use crate::context::Context;
 use crate::findings::Findings;
-use crate::rules::values::material_name;
+use crate::rules::values::{figure, material_name};
 
 rule! {
     /// A material has a highlight, but the scene has no light that could show in it.
@@ -55,7 +55,7 @@ fn check(context: &Context<'_>, findings: &mut Findings) {
             material_name(context, statement)
         ),
         context.value_at(statement, SPECULAR),
-        format!("is {}", material.specular),
+        format!("is {}", figure(material.specular)),
     )
     .help("place a light, such as `*lamp := 3 5 4 1 1 1`");
     findings.push(context.lights().iter().fold(finding, |finding, light| {

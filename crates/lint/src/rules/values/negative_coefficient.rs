@@ -5,7 +5,7 @@ use scenec_text::{Code, Diagnostic};
 
 use crate::context::Context;
 use crate::findings::Findings;
-use crate::rules::values::material_name;
+use crate::rules::values::{figure, material_name};
 
 rule! {
     /// A material whose share of ambient, diffuse, highlight, reflected or refracted light is negative.
@@ -55,11 +55,11 @@ fn check(context: &Context<'_>, findings: &mut Findings) {
                 material_name(context, statement)
             ),
             context.value_at(statement, number),
-            format!("is {share}"),
+            format!("is {}", figure(*share)),
         )
         .help("shares of light are 0 or more");
         for (number, share) in negative {
-            finding = finding.label(context.value_at(statement, number), format!("is {share}"));
+            finding = finding.label(context.value_at(statement, number), format!("is {}", figure(*share)));
         }
         findings.push(finding);
     }

@@ -5,6 +5,7 @@ use scenec_text::{Code, Diagnostic, Span};
 
 use crate::context::Context;
 use crate::findings::Findings;
+use crate::rules::values::figure;
 
 rule! {
     /// A light of negative colour, or an ambient light whose colour times its intensity is negative.
@@ -44,7 +45,7 @@ fn check(context: &Context<'_>, findings: &mut Findings) {
             part,
         );
         for (number, part) in negative {
-            finding = finding.label(context.value_at(light.span, number), format!("is {part}"));
+            finding = finding.label(context.value_at(light.span, number), format!("is {}", figure(part)));
         }
         findings.push(finding);
     }
@@ -75,6 +76,6 @@ fn ambient(context: &Context<'_>, settings: &Settings, findings: &mut Findings) 
 }
 
 fn report(message: &str, value: Span, part: f64) -> Diagnostic {
-    Diagnostic::new(Code::NegativeLight, message, value, format!("is {part}"))
+    Diagnostic::new(Code::NegativeLight, message, value, format!("is {}", figure(part)))
         .help("the components of a light's colour are 0 or more")
 }
