@@ -107,8 +107,29 @@ Hit owner(const Crossings *crossings, real distance, bool now) {
     return found;
 }
 
-/* The first change after `from` and not after `until`, of a ray that is inside (or not) to begin with. A start within
-   rounding of another surface is followed to where the intervals agree with `inside`. */
+/* A ray that is on the wrong side of the surface at its start, until `end`, starts within rounding of another surface than
+   its own. It is stopped there if the crossing behind it is nearer than the one ahead: then it runs into a crease. */
+Hit crease(const Crossings *crossings, real from, real end) {
+    real before = -(real)INFINITY;
+    for (uint member = 0; member < member_count(crossings); ++member) {
+        const Scene *scene = crossings->scene;
+        Interval i = MEMBER(crossings, member);
+        if (i.enter < i.leave &&
+            scene->shapes[scene->leaves[member_leaf(crossings, member)].shape].class != crossings->ray->class) {
+            if (i.enter <= from && i.enter > before)
+                before = i.enter;
+            if (i.leave <= from && i.leave > before)
+                before = i.leave;
+        }
+    }
+    if (!(from - before < end - from))
+        return no_hit();
+    Hit hit = owner(crossings, before, holds(crossings, before));
+    hit.distance = from;
+    return hit;
+}
+
+/* The first change after `from` and not after `until`, of a ray that is inside (or not) to begin with. */
 Hit change(const Crossings *crossings, real from, real until, bool inside) {
     real at = from;
     bool settled = holds(crossings, at) == inside;
@@ -124,11 +145,16 @@ Hit change(const Crossings *crossings, real from, real until, bool inside) {
             }
         }
         if (next > until || isinf(next))
-            return no_hit();
+            return settled ? no_hit() : crease(crossings, from, next);
         at = next;
         bool now = holds(crossings, at);
         if (settled && now != inside)
             return owner(crossings, at, now);
-        settled = settled || now == inside;
+        if (!settled && now == inside) {
+            Hit hit = crease(crossings, from, at);
+            if (hit.leaf != NOTHING)
+                return hit;
+            settled = true;
+        }
     }
 }

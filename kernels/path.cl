@@ -27,8 +27,7 @@ Vector reflected(Vector direction, Vector normal) {
 }
 
 /* Whether the branch is worth following and the pixel has rays left; fills it in if so. */
-bool spawn(const Scene *scene, const Branch *parent, const Contact *contact, real share, Vector direction, bool inside,
-           Spent *spent, Branch *branch) {
+bool spawn(const Scene *scene, const Branch *parent, Ray ray, real share, Spent *spent, Branch *branch) {
     branch->weight = parent->weight * share;
     branch->bounces = parent->bounces - 1;
     real most = fabs(branch->weight) * scene->reach[branch->bounces];
@@ -42,15 +41,7 @@ bool spawn(const Scene *scene, const Branch *parent, const Contact *contact, rea
         return false;
     }
     spent->rays += 1;
-    branch->ray.origin = contact->point;
-    branch->ray.direction = direction;
-    branch->ray.place = contact->place;
-    branch->ray.class = contact->class;
-    branch->ray.inside = inside;
-#if TOUCHES
-    branch->ray.end = (real)INFINITY;
-    branch->ray.touches = branch->ray.touches_end = 0;
-#endif
+    branch->ray = ray;
     return true;
 }
 #endif
@@ -101,12 +92,13 @@ Bounce bounce(const Scene *scene, const Branch *branch, Hit hit, Vector *colour,
 #endif
     bool mirror = false;
     if (mirrored != 0)
-        mirror = spawn(scene, branch, &at, mirrored, reflected(ray->direction, at.normal), ray->inside, spent,
-                       &result.other);
+        mirror = spawn(scene, branch, ray_from(&at, reflected(ray->direction, at.normal), false, ray->inside), mirrored,
+                       spent, &result.other);
     spent->reflected += mirror;
 #if REFRACTIONS
     if (through)
-        through = spawn(scene, branch, &at, material->refract, direction, !ray->inside, spent, &result.next);
+        through = spawn(scene, branch, ray_from(&at, direction, true, !ray->inside), material->refract, spent,
+                        &result.next);
     spent->refracted += through;
     result.has_next = through;
 #endif

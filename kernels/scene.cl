@@ -21,12 +21,14 @@ typedef struct {
 } Scene;
 
 /* A half-line of unit direction, with what is known exactly about its start: the class of the surface that it starts on
-   (NOTHING for the eye) and the start on that surface's own unit sphere. */
+   (NOTHING for the eye); its place there, on the unit sphere of a ball or ellipsoid, or the plane's normal on the ray's
+   side; and whether it runs into the ball or ellipsoid, by the kind of crossing that sent it. */
 typedef struct {
     Vector origin;
     Vector direction;
     Vector place;
     uint class;
+    bool into;
     bool inside;
 #if TOUCHES
     /* The light that it runs to, if that lies on surfaces. */

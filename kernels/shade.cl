@@ -39,12 +39,7 @@ Vector local_colour(const Scene *scene, __global const Material *material, const
         real cosine = inner(contact->normal, towards);
         if (cosine <= 0)
             continue;
-        Ray shadow;
-        shadow.origin = contact->point;
-        shadow.direction = towards;
-        shadow.place = contact->place;
-        shadow.class = contact->class;
-        shadow.inside = ray->inside;
+        Ray shadow = ray_from(contact, towards, false, ray->inside);
 #if TOUCHES
         shadow.end = length_scaled * largest;
         shadow.touches = scene->touches + light->touches;

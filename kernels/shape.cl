@@ -32,6 +32,8 @@ typedef struct {
 typedef struct {
     Vector point, place, normal;
     uint class;
+    /* Whether the ray comes from within the shape's solid, and whether that is a half-space. */
+    bool leaving, flat;
 } Contact;
 
 Interval interval(real enter, real leave) {
@@ -79,9 +81,10 @@ real other_root(real towards, Vector direction) { return -(towards + towards) / 
 
 Interval half_space_interval(__global const Shape *shape, const Ray *ray) {
     Vector normal = load(shape->inverse);
-    real towards = inner(normal, ray->direction);
+    /* Of one class are this plane's half-spaces on either side, so the product is 1 or -1. */
     if (shape->class == ray->class)
-        return towards >= 0 ? interval(-(real)INFINITY, 0) : interval(0, (real)INFINITY);
+        return inner(normal, ray->place) >= 0 ? interval(-(real)INFINITY, 0) : interval(0, (real)INFINITY);
+    real towards = inner(normal, ray->direction);
     real above = inner(normal, subtract(ray->origin, load(shape->centre)));
 #if TOUCHES
     if (touch_of(shape, ray))
@@ -101,15 +104,14 @@ Interval shape_interval(__global const Shape *shape, const Ray *ray) {
         return half_space_interval(shape, ray);
     if (shape->class == ray->class) {
         /* Deflation: the start lies on this sphere, so its roots are exactly 0 and -2 (p.d)/(d.d). */
-        Vector direction = to_local(shape, ray->direction);
-        real towards = inner(ray->place, direction);
-        if (towards >= 0)
+        if (!ray->into)
             return interval(0, 0);
 #if TOUCHES
         if (touch_of(shape, ray))
             return interval(0, ray->end);
 #endif
-        return interval(0, other_root(towards, direction));
+        Vector direction = to_local(shape, ray->direction);
+        return interval(0, other_root(inner(ray->place, direction), direction));
     }
 #if TOUCHES
     __global const Touch *touch = touch_of(shape, ray);
@@ -129,6 +131,8 @@ Interval shape_interval(__global const Shape *shape, const Ray *ray) {
 Contact contact(__global const Shape *shape, const Ray *ray, real distance, bool leaving) {
     Contact c;
     c.class = shape->class;
+    c.leaving = leaving;
+    c.flat = IS_HALF_SPACE(shape);
     if (IS_HALF_SPACE(shape)) {
         Vector outward = load(shape->inverse);
         Vector point = scale_add(ray->direction, distance, ray->origin);
@@ -157,4 +161,22 @@ Contact contact(__global const Shape *shape, const Ray *ray, real distance, bool
     c.point = add(load(shape->centre), world);
     c.normal = leaving ? negated(outward) : outward;
     return c;
+}
+
+/* The ray that leaves a contact in this direction, `behind` the surface or on the side of the one that came. */
+Ray ray_from(const Contact *contact, Vector direction, bool behind, bool inside) {
+    Ray ray;
+    ray.origin = contact->point;
+    ray.direction = direction;
+    ray.place = contact->place;
+    if (contact->flat)
+        ray.place = behind ? negated(contact->normal) : contact->normal;
+    ray.class = contact->class;
+    ray.into = contact->leaving != behind;
+    ray.inside = inside;
+#if TOUCHES
+    ray.end = (real)INFINITY;
+    ray.touches = ray.touches_end = 0;
+#endif
+    return ray;
 }

@@ -10,6 +10,7 @@ Ray camera_ray(__global const Frame *frame, uint column, uint row, real right, r
     ray.direction = unit(scale_add(load(frame->up), y, scale_add(load(frame->right), x, load(frame->forward))));
     ray.place = vector(0, 0, 0);
     ray.class = NOTHING;
+    ray.into = false;
     ray.inside = frame->inside != 0;
 #if TOUCHES
     ray.end = (real)INFINITY;

@@ -30,7 +30,16 @@ pub(crate) fn entered<R: Real>(
         return Crossings::new(scene, island, ray, intervals).change(R::ZERO, until, false);
     };
     let (enter, leave) = leaf_interval(scene, leaf, ray);
-    (enter > R::ZERO && enter < leave && enter <= until).then_some(Hit {
+    if enter <= R::ZERO {
+        // A ray from outside that starts within, by rounding: see `crease`.
+        let blocked = R::ZERO < leave && -enter < leave && ray.class != class_of(scene, leaf);
+        return blocked.then_some(Hit {
+            distance: R::ZERO,
+            leaf,
+            leaving: false,
+        });
+    }
+    (enter < leave && enter <= until).then_some(Hit {
         distance: enter,
         leaf,
         leaving: false,
@@ -72,6 +81,11 @@ fn lone<R>(scene: &Packed<R>, island: &Island) -> Option<u32> {
 }
 
 #[inline(always)]
+fn class_of<R>(scene: &Packed<R>, leaf: u32) -> u32 {
+    scene.shapes[scene.leaves[leaf as usize].shape as usize].class
+}
+
+#[inline(always)]
 fn leaf_interval<R: Real>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>) -> Interval<R> {
     let touches = &scene.touches[ray.end.touches as usize..ray.end.touches_end as usize];
     interval(&scene.shapes[scene.leaves[leaf as usize].shape as usize], ray, touches)
@@ -82,6 +96,8 @@ struct Crossings<'a, R> {
     scene: &'a Packed<R>,
     island: &'a Island,
     intervals: &'a [Interval<R>],
+    /// The class of the surface that the ray starts on.
+    class: u32,
 }
 
 impl<'a, R: Real> Crossings<'a, R> {
@@ -94,6 +110,7 @@ impl<'a, R: Real> Crossings<'a, R> {
             scene,
             island,
             intervals,
+            class: ray.class,
         }
     }
 
@@ -104,9 +121,7 @@ impl<'a, R: Real> Crossings<'a, R> {
         self.truth(distance, u32::MAX)
     }
 
-    /// The first change after `from` and not after `until`, of a ray that is inside (or not) to begin with. Where the
-    /// intervals say otherwise at `from`, the start lies within rounding of another surface: the ray is followed to
-    /// where they agree, and that first run counts for nothing.
+    /// The first change after `from` and not after `until`, of a ray that is inside (or not) to begin with.
     #[inline(always)]
     fn change(&self, from: R, until: R, inside: bool) -> Option<Hit<R>> {
         let mut at = from;
@@ -124,15 +139,42 @@ impl<'a, R: Real> Crossings<'a, R> {
                 }
             }
             if next > until || next == R::INFINITY {
-                return None;
+                return if settled { None } else { self.crease(from, next) };
             }
             at = next;
             let now = self.holds(at);
             if settled && now != inside {
                 return Some(self.owner(at, now));
             }
-            settled = settled || now == inside;
+            if !settled && now == inside {
+                if let Some(hit) = self.crease(from, at) {
+                    return Some(hit);
+                }
+                settled = true;
+            }
         }
+    }
+
+    /// A ray that is on the wrong side of the surface at its start, until `end`, starts within rounding of another
+    /// surface than its own. It crosses that surface at the start if the crossing behind it is the nearer one: then it
+    /// runs into a crease and is stopped there. If the crossing ahead is nearer, it leaves the crease and goes on.
+    #[inline(always)]
+    fn crease(&self, from: R, end: R) -> Option<Hit<R>> {
+        let mut before = -R::INFINITY;
+        for (local, &(enter, leave)) in self.intervals.iter().enumerate() {
+            let leaf = self.scene.members[self.island.members as usize + local];
+            if enter < leave && class_of(self.scene, leaf) != self.class {
+                for distance in [enter, leave] {
+                    if distance <= from && distance > before {
+                        before = distance;
+                    }
+                }
+            }
+        }
+        (from - before < end - from).then(|| Hit {
+            distance: from,
+            ..self.owner(before, self.holds(before))
+        })
     }
 
     /// Of the members that change at a distance where the island does, the leftmost whose change matters by itself;

@@ -6,7 +6,7 @@ use scenec_plan::{Packed, Real};
 
 use crate::event::Hit;
 use crate::hierarchy::{self, Scratch};
-use crate::ray::{End, Ray};
+use crate::ray::Ray;
 use crate::shade;
 use crate::shape::contact;
 use crate::vector::{Vector, dot, fma, neg, normalize, scale};
@@ -108,23 +108,16 @@ impl<'a, R: Real> Walker<'a, R> {
         if branch.bounces == 0 {
             return None;
         }
-        let from = |direction: Vector<R>, inside: bool| Ray {
-            origin: contact.point,
-            direction,
-            local: contact.local,
-            class: contact.class,
-            inside,
-            end: End::NONE,
-        };
         let mut mirrored = material.reflect;
         let mut through = None;
         if material.refract != R::ZERO {
             match refract(material, ray, contact.normal) {
-                Some(direction) => through = Some(from(direction, !ray.inside)),
+                Some(direction) => through = Some(contact.ray(direction, true, !ray.inside)),
                 None => mirrored += material.refract,
             }
         }
-        let mirror = (mirrored != R::ZERO).then(|| from(reflect(ray.direction, contact.normal), ray.inside));
+        let mirror =
+            (mirrored != R::ZERO).then(|| contact.ray(reflect(ray.direction, contact.normal), false, ray.inside));
         let mirror = mirror.and_then(|ray| self.spawn(branch, ray, mirrored, spent));
         let through = through.and_then(|ray| self.spawn(branch, ray, material.refract, spent));
         self.tally.reflected += u64::from(mirror.is_some());

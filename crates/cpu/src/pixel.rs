@@ -84,6 +84,7 @@ fn ray<R: Real>(frame: &Frame<R>, column: u32, row: u32, point: &[R; 2]) -> Ray<
         direction: normalize(direction),
         local: [R::ZERO; 3],
         class: NO_CLASS,
+        into: false,
         inside: frame.inside != 0,
         end: End::NONE,
     }

@@ -14,10 +14,13 @@ pub(crate) struct Ray<R> {
     pub(crate) origin: Vector<R>,
     /// Where it goes; of length 1.
     pub(crate) direction: Vector<R>,
-    /// The start on its surface's own unit sphere.
+    /// Of a start on a ball or ellipsoid: where on the unit sphere. On a plane: the unit normal on the side of the ray.
     pub(crate) local: Vector<R>,
     /// The class of the surface that it starts on, or [`NO_CLASS`].
     pub(crate) class: u32,
+    /// Whether it runs into the ball or ellipsoid that it starts on. The kind of crossing that sent it says so, not a
+    /// product that rounding may turn over.
+    pub(crate) into: bool,
     /// Whether it runs inside the solid at first.
     pub(crate) inside: bool,
     /// The light that it runs to, if that lies on a surface.

@@ -28,17 +28,14 @@ pub(crate) fn local<R: Real>(
         if cosine <= R::ZERO {
             continue;
         }
+        let end = End {
+            distance,
+            touches: light.touches,
+            touches_end: light.touches_end,
+        };
         let shadow = Ray {
-            origin: contact.point,
-            direction: towards,
-            local: contact.local,
-            class: contact.class,
-            inside: ray.inside,
-            end: End {
-                distance,
-                touches: light.touches,
-                touches_end: light.touches_end,
-            },
+            end,
+            ..contact.ray(towards, false, ray.inside)
         };
         *shadows += 1;
         if blocked(scene, &shadow, distance, scratch) {

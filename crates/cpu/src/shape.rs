@@ -3,7 +3,7 @@
 use scenec_plan::Real;
 use scenec_plan::packed_structs::{Shape, Touch};
 
-use crate::ray::Ray;
+use crate::ray::{End, Ray};
 use crate::vector::{Vector, add, columns, dot, fma, neg, normalize, rows, scale, sub};
 
 const BALL: u32 = 0;
@@ -32,15 +32,14 @@ pub(crate) fn interval<R: Real>(shape: &Shape<R>, ray: &Ray<R>, touches: &[Touch
     if shape.class == ray.class {
         // Deflation: the start lies on this sphere, so the equation loses its constant term and has exactly the roots 0
         // and -2 (p.d)/(d.d). A ray that leaves has no second one ahead.
+        if !ray.into {
+            return (R::ZERO, R::ZERO);
+        }
+        if end.is_some() {
+            return (R::ZERO, ray.end.distance);
+        }
         let direction = to_local(shape, ray.direction);
-        let towards = dot(ray.local, direction);
-        return if towards >= R::ZERO {
-            (R::ZERO, R::ZERO)
-        } else if end.is_some() {
-            (R::ZERO, ray.end.distance)
-        } else {
-            (R::ZERO, other_root(towards, direction))
-        };
+        return (R::ZERO, other_root(dot(ray.local, direction), direction));
     }
     if let Some(touch) = end {
         // The same from the other end.
@@ -84,14 +83,16 @@ fn approach<R: Real>(shape: &Shape<R>, ray: &Ray<R>) -> Approach<R> {
 #[inline(always)]
 fn half_space<R: Real>(shape: &Shape<R>, ray: &Ray<R>, ends_here: bool) -> Interval<R> {
     let normal = plane_normal(shape);
-    let towards = dot(normal, ray.direction);
     if shape.class == ray.class {
+        // Of one class are this plane's half-spaces on either side, so this product is 1 or -1.
+        let towards = dot(normal, ray.local);
         return if towards >= R::ZERO {
             (-R::INFINITY, R::ZERO)
         } else {
             (R::ZERO, R::INFINITY)
         };
     }
+    let towards = dot(normal, ray.direction);
     let above = dot(normal, sub(ray.origin, shape.centre));
     if ends_here {
         let distance = ray.end.distance;
@@ -124,12 +125,31 @@ fn half_space<R: Real>(shape: &Shape<R>, ray: &Ray<R>, ends_here: bool) -> Inter
 pub(crate) struct Contact<R> {
     /// In plan coordinates.
     pub(crate) point: Vector<R>,
-    /// On the shape's own unit sphere; of no meaning for a half-space.
-    pub(crate) local: Vector<R>,
+    /// On the shape's own unit sphere; of a half-space, nothing.
+    local: Option<Vector<R>>,
     /// Of length 1, turned to the side that the ray comes from.
     pub(crate) normal: Vector<R>,
     /// The class of the surface.
-    pub(crate) class: u32,
+    class: u32,
+    /// Whether the ray comes from within the shape's solid.
+    leaving: bool,
+}
+
+impl<R: Real> Contact<R> {
+    /// The ray that leaves the contact in this direction, `behind` the surface or on the side of the one that came.
+    #[inline(always)]
+    pub(crate) fn ray(&self, direction: Vector<R>, behind: bool, inside: bool) -> Ray<R> {
+        let side = if behind { neg(self.normal) } else { self.normal };
+        Ray {
+            origin: self.point,
+            direction,
+            local: self.local.unwrap_or(side),
+            class: self.class,
+            into: self.leaving != behind,
+            inside,
+            end: End::NONE,
+        }
+    }
 }
 
 /// Where the ray meets the surface at `distance`, on its way in or (`leaving`) out.
@@ -141,11 +161,13 @@ pub(crate) fn contact<R: Real>(shape: &Shape<R>, ray: &Ray<R>, distance: R, leav
         // One projection takes the rounding across the plane away.
         let off = dot(outward, sub(point, shape.centre));
         let point = fma(outward, -off, point);
+        let normal = facing(outward, leaving);
         return Contact {
             point,
-            local: [R::ZERO; 3],
-            normal: facing(outward, leaving),
+            local: None,
+            normal,
             class: shape.class,
+            leaving,
         };
     }
     let local = if shape.class == ray.class {
@@ -161,11 +183,13 @@ pub(crate) fn contact<R: Real>(shape: &Shape<R>, ray: &Ray<R>, distance: R, leav
     } else {
         (rows(&shape.linear, local), normalize(columns(&shape.inverse, local)))
     };
+    let (point, normal) = (add(shape.centre, world), facing(outward, leaving));
     Contact {
-        point: add(shape.centre, world),
-        local,
-        normal: facing(outward, leaving),
+        point,
+        local: Some(local),
+        normal,
         class: shape.class,
+        leaving,
     }
 }
 

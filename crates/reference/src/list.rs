@@ -49,18 +49,26 @@ pub(crate) struct Hit {
 
 impl List {
     /// What a ray from t = 0 that is on this side of the surface (inside or not) meets; `None` takes the side that
-    /// the line is on. Where rounding has the line on the other side just after its start, it is followed to where it
-    /// is on the right one.
-    pub(crate) fn first(&self, side: Option<bool>) -> Option<Hit> {
-        let mut inside = self.before;
-        for &edge in &self.edges {
-            if edge.t > 0.0 && side.is_none_or(|side| side == inside) {
-                let entering = !inside;
-                return Some(Hit { edge, entering });
+    /// the line is on.
+    ///
+    /// Where the line is on the other side just after its start, a second surface passes the start within rounding. Of
+    /// its crossings the one that is nearer to the start is really there: `behind` it means that the ray runs into the
+    /// second surface and is stopped at once, ahead that it comes away from it and goes on.
+    pub(crate) fn first(&self, side: Option<bool>, behind: Option<Edge>) -> Option<Hit> {
+        let ahead = self.edges.partition_point(|edge| edge.t <= 0.0);
+        let mut inside = self.before != (ahead % 2 == 1);
+        let mut rest = &self.edges[ahead..];
+        if side.is_some_and(|side| side != inside) {
+            let end = rest.first().map_or(f64::INFINITY, |edge| edge.t);
+            if let Some(edge) = behind.filter(|edge| -edge.t < end) {
+                let edge = Edge { t: 0.0, ..edge };
+                return Some(Hit { edge, entering: inside });
             }
             inside = !inside;
+            rest = rest.get(1..).unwrap_or_default();
         }
-        None
+        let entering = !inside;
+        rest.first().map(|&edge| Hit { edge, entering })
     }
 
     /// The same crossings of a solid made of one material.
@@ -207,10 +215,22 @@ mod tests {
     #[test]
     fn a_ray_meets_the_first_crossing_from_its_own_side() {
         let solid = list(LEFT, false, &[-1.0, 0.0, 2.0, 3.0]);
-        let first = |side| solid.first(side).map(|hit| (hit.edge.t, hit.entering));
+        let first = |side| solid.first(side, None).map(|hit| (hit.edge.t, hit.entering));
         assert_eq!(first(None), Some((2.0, true)));
         assert_eq!(first(Some(false)), Some((2.0, true)));
         assert_eq!(first(Some(true)), Some((3.0, false)));
-        assert_eq!(list(LEFT, true, &[0.0]).first(None), None);
+        assert_eq!(list(LEFT, true, &[0.0]).first(None, None), None);
+    }
+
+    #[test]
+    fn a_ray_is_stopped_in_a_crease_and_comes_out_of_one() {
+        let first = |ends: &[f64], behind: usize| {
+            let solid = list(LEFT, false, ends);
+            let hit = solid.first(Some(false), Some(solid.edges[behind]));
+            hit.map(|hit| (hit.edge.t, hit.entering))
+        };
+        assert_eq!(first(&[-1e-16, 5.0], 0), Some((0.0, true)));
+        assert_eq!(first(&[-5.0, 1e-16], 0), None);
+        assert_eq!(first(&[-5.0, 1e-16, 7.0, 8.0], 0), Some((7.0, true)));
     }
 }

@@ -85,7 +85,7 @@ impl World {
                 tally.drop(job.weight.abs() * self.bounds[job.to_go as usize]);
                 continue;
             }
-            let Some(hit) = self.tree.along(&job.line).first(job.side) else {
+            let Some(hit) = self.tree.first(&job.line, job.side) else {
                 path.add(NOTHING);
                 sight.colour += job.weight * self.background(job.line.direction);
                 continue;
@@ -129,8 +129,7 @@ impl World {
             // The light stands at t = 1.
             if self
                 .tree
-                .along(&line)
-                .first(Some(!hit.entering))
+                .first(&line, Some(!hit.entering))
                 .is_some_and(|between| between.edge.t < 1.0)
             {
                 path.add(1);

@@ -4,7 +4,7 @@ use std::mem;
 
 use scenec_scene::{DVec3, MaterialId, Op, Scene, SolidId, SolidKind};
 
-use crate::list::{Edge, List, Spot};
+use crate::list::{Edge, Hit, List, Spot};
 use crate::shape::{Line, Shape};
 use crate::twins::Families;
 
@@ -93,8 +93,18 @@ impl Tree {
         })
     }
 
-    /// What the line sees of the submitted solid.
-    pub(crate) fn along(&self, line: &Line) -> List {
+    /// What a ray along the line meets first of the submitted solid, when it starts at t = 0 on this side of its surface;
+    /// `None` takes the side that the line is on.
+    pub(crate) fn first(&self, line: &Line, side: Option<bool>) -> Option<Hit> {
+        let (list, behind) = self.along(line);
+        list.first(side, behind)
+    }
+
+    /// What the line sees of the submitted solid, and the last crossing with any leaf, other than those that have the
+    /// surface that the line starts on, that is not ahead of t = 0.
+    pub(crate) fn along(&self, line: &Line) -> (List, Option<Edge>) {
+        let start = line.start.map(|start| start.family);
+        let mut behind: Option<Edge> = None;
         let ends: &[_] = line.light.map_or(&[], |light| &self.lights_on[light]);
         let mut lists: Vec<List> = Vec::with_capacity(self.nodes.len());
         for (here, node) in self.nodes.iter().enumerate() {
@@ -104,7 +114,16 @@ impl Tree {
                     family,
                     shape,
                     material,
-                } => leaf_list(*leaf, *family, shape, *material, line, ends),
+                } => {
+                    let list = leaf_list(*leaf, *family, shape, *material, line, ends);
+                    let passed = list.edges.iter().rfind(|edge| edge.t <= 0.0);
+                    if let Some(edge) = passed.filter(|edge| Some(edge.spot.family) != start)
+                        && behind.is_none_or(|last| edge.t > last.t)
+                    {
+                        behind = Some(*edge);
+                    }
+                    list
+                }
                 Node::Combine { op, left, right } => {
                     let list = List::combine(*op, &lists[*left], &lists[*right]);
                     self.forget(&mut lists, *left, here);
@@ -120,7 +139,7 @@ impl Tree {
             };
             lists.push(list);
         }
-        lists.pop().unwrap_or_default()
+        (lists.pop().unwrap_or_default(), behind)
     }
 
     /// Lets go of an operand's list if this was its last use, so that deep trees hold few lists at a time.
