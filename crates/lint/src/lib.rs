@@ -16,5 +16,5 @@ mod rules;
 mod suppress;
 
 pub use check::{check, lint};
-pub use page::{Page, page, pages};
+pub use page::{PRELUDE, Page, page, pages};
 pub use suppress::suppress;

@@ -49,15 +49,52 @@ impl Page {
         format!("{}\n", lines.join("\n").trim())
     }
 
-    /// The fenced scene under a heading, if the page has it.
+    /// The fenced scene under a heading, `Example` or `Fixed`, as a whole file: where the page leaves out the settings,
+    /// they are those of [`PRELUDE`].
     #[must_use]
     pub fn scene(&self, heading: &str) -> Option<String> {
         let text = self.text();
         let (_, section) = text.split_once(&format!("\n## {heading}\n"))?;
-        let (_, block) = section.split_once("```scene\n")?;
+        let (_, block) = section.split_once("```scene")?;
+        let (kind, block) = block.split_once('\n')?;
         let (scene, _) = block.split_once("```")?;
-        Some(scene.to_owned())
+        Some(if kind.is_empty() {
+            with_settings(scene)
+        } else {
+            scene.to_owned()
+        })
     }
+}
+
+/// The settings that the examples of the pages leave out.
+pub const PRELUDE: &str = "\
+width := 60
+height := 40
+raydepth := 0
+lookat_x := 0
+lookat_y := 0
+lookat_z := 0
+eyepos_x := 0
+eyepos_y := 1
+eyepos_z := 5
+ambient_r := 0.2
+ambient_g := 0.3
+ambient_b := 0.5
+ambient_int_r := 1
+ambient_int_g := 1
+ambient_int_b := 1
+";
+
+/// A scene behind the settings that it does not give itself.
+fn with_settings(scene: &str) -> String {
+    let name = |line: &str| line.split_once(" :=").map(|(name, _)| name.to_owned());
+    let own: Vec<_> = scene.lines().filter_map(name).collect();
+    let missing = PRELUDE
+        .lines()
+        .filter(|line| name(line).is_none_or(|name| !own.contains(&name)));
+    let mut whole: String = missing.flat_map(|line| [line, "\n"]).collect();
+    whole.push_str(scene);
+    whole
 }
 
 /// Every page, in the order of the table of codes.
@@ -70,7 +107,8 @@ pub fn pages() -> Vec<Page> {
 #[must_use]
 pub fn page(code: Code) -> Option<Page> {
     let rules = RULES.iter().map(|rule| &rule.page);
-    rules.chain(PAGES).find(|page| page.code == code).copied()
+    let others = PAGES.iter().copied().flatten();
+    rules.chain(others).find(|page| page.code == code).copied()
 }
 
 /// The page of a code that another stage reports: `page! { /// ... Code }`.
