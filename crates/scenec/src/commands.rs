@@ -2,4 +2,6 @@
 
 pub(crate) mod check;
 pub(crate) mod devices;
+pub(crate) mod explain;
+pub(crate) mod fmt;
 pub(crate) mod render;

@@ -17,14 +17,22 @@ pub(crate) fn read(path: &Path) -> Result<(SourceFile, Vec<Diagnostic>), String>
     } else {
         path.to_string_lossy()
     };
-    let bytes = if standard {
+    read_as(path, &name)
+}
+
+/// As [`read`], with a name of the caller's choice.
+///
+/// # Errors
+/// As for [`read`].
+pub(crate) fn read_as(path: &Path, name: &str) -> Result<(SourceFile, Vec<Diagnostic>), String> {
+    let bytes = if path.as_os_str() == "-" {
         read_all(io::stdin().lock())
     } else {
         File::open(path).and_then(read_all)
     };
     let bytes = bytes.map_err(|error| format!("cannot read {name}: {error}"))?;
     let too_large = |_| format!("cannot read {name}: it has more than {MAX_FILE_BYTES} bytes");
-    SourceFile::from_bytes(name.clone(), bytes).map_err(too_large)
+    SourceFile::from_bytes(name, bytes).map_err(too_large)
 }
 
 /// Everything there is, up to one byte more than a file may have.

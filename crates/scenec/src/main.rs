@@ -1,11 +1,22 @@
 //! The command line: `scenec check`, and one file in `commands/` for every other subcommand.
 
 mod commands;
+mod config;
+mod diff;
 mod exit;
+mod files;
+mod finding;
+mod fix;
 mod input;
 mod interrupt;
+mod jobs;
+mod levels;
+mod output;
+mod parallel;
 mod progress;
 mod report;
+mod rewrite;
+mod watch;
 
 use std::process::ExitCode;
 
@@ -22,15 +33,19 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Command {
     Check(commands::check::Check),
+    Fmt(commands::fmt::Fmt),
     Render(Box<commands::render::Render>),
     Devices(commands::devices::Devices),
+    Explain(commands::explain::Explain),
 }
 
 fn main() -> ExitCode {
     let exit = match Arguments::parse().command {
         Command::Check(check) => check.run(),
+        Command::Fmt(fmt) => fmt.run(),
         Command::Render(render) => render.run(),
         Command::Devices(devices) => devices.run(),
+        Command::Explain(explain) => explain.run(),
     };
     exit.into()
 }

@@ -10,11 +10,12 @@ use std::io::{self, Write};
 use std::ops::Range;
 
 use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
-use scenec_text::{Diagnostic, Severity, SourceFile, Span};
+use scenec_text::{Severity, SourceFile, Span};
 
+use crate::finding::Shown;
 pub(crate) use colour::ColourChoice;
 use excerpt::Excerpt;
-use sanitise::sanitise;
+pub(crate) use sanitise::sanitise;
 
 /// How findings are shown: arguments that every subcommand with findings has.
 #[derive(clap::Args, Clone, Debug)]
@@ -32,61 +33,126 @@ pub(crate) struct Style {
 pub(crate) struct Tally {
     pub(crate) errors: usize,
     pub(crate) warnings: usize,
+    pub(crate) hints: usize,
 }
 
 impl Tally {
-    pub(crate) fn of(diagnostics: &[Diagnostic]) -> Self {
-        let count = |severity| {
-            diagnostics
-                .iter()
-                .filter(|finding| finding.severity() == severity)
-                .count()
-        };
+    pub(crate) fn of(findings: &[impl Shown]) -> Self {
+        let count = |severity| findings.iter().filter(|finding| finding.severity() == severity).count();
         Self {
             errors: count(Severity::Error),
             warnings: count(Severity::Warning),
+            hints: count(Severity::Hint),
         }
+    }
+
+    /// The two together.
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self {
+            errors: self.errors + other.errors,
+            warnings: self.warnings + other.warnings,
+            hints: self.hints + other.hints,
+        }
+    }
+
+    /// The counts in words; `None` if there is nothing to count.
+    pub(crate) fn words(self) -> Option<String> {
+        let count = |number: usize, noun: &str| (number > 0).then(|| plural(number, noun));
+        let counts = [
+            count(self.errors, "error"),
+            count(self.warnings, "warning"),
+            count(self.hints, "hint"),
+        ];
+        let counts: Vec<_> = counts.into_iter().flatten().collect();
+        (!counts.is_empty()).then(|| counts.join(", "))
     }
 }
 
-/// Writes the findings of one file, in the order given, as many as the style allows.
+/// A number of things.
+pub(crate) fn plural(number: usize, noun: &str) -> String {
+    let s = if number == 1 { "" } else { "s" };
+    format!("{number} {noun}{s}")
+}
+
+/// Writes the findings of one file to standard error's `out`, in the order given, as many as the style allows.
 ///
 /// # Errors
 /// Those of `out`, a closed pipe among them.
 pub(crate) fn print(
     out: &mut impl Write,
     source: &SourceFile,
-    diagnostics: &[Diagnostic],
+    findings: &[impl Shown],
     style: &Style,
 ) -> io::Result<()> {
-    let printer = Printer {
+    draw(
+        out,
+        source,
+        findings,
+        style.colour.decide(&io::stderr()),
+        style.max_diagnostics,
+    )
+}
+
+/// Writes the findings of one file, in the order given, at most so many.
+///
+/// # Errors
+/// Those of `out`, a closed pipe among them.
+pub(crate) fn draw(
+    out: &mut (impl Write + ?Sized),
+    source: &SourceFile,
+    findings: &[impl Shown],
+    colour: bool,
+    most: usize,
+) -> io::Result<()> {
+    let mut printer = Printer {
         source,
         name: sanitise(source.name()),
         whole: None,
-        colour: style.colour.decide(),
+        colour,
     };
-    printer.print(out, diagnostics, style.max_diagnostics)
+    let (chosen, hidden) = choose(findings, most);
+    for finding in chosen {
+        printer.one(out, finding)?;
+    }
+    not_shown(out, hidden)
+}
+
+/// The findings to show where at most so many are, errors before the others, and how many that leaves out.
+pub(crate) fn choose<S: Shown>(findings: &[S], most: usize) -> (Vec<&S>, usize) {
+    let mut errors_left = most;
+    let mut others_left = most.saturating_sub(Tally::of(findings).errors);
+    let chosen = findings.iter().filter(|finding| {
+        let left = match finding.severity() {
+            Severity::Error => &mut errors_left,
+            Severity::Warning | Severity::Hint => &mut others_left,
+        };
+        let chosen = *left > 0;
+        *left = left.saturating_sub(1);
+        chosen
+    });
+    (chosen.collect(), findings.len().saturating_sub(most))
+}
+
+/// Says how many findings were left out, if any were.
+///
+/// # Errors
+/// Those of `out`.
+pub(crate) fn not_shown(out: &mut (impl Write + ?Sized), hidden: usize) -> io::Result<()> {
+    match hidden {
+        0 => Ok(()),
+        _ => writeln!(out, "{hidden} more not shown; --max-diagnostics sets how many are"),
+    }
 }
 
 /// Writes one line that says how a file fared.
 ///
 /// # Errors
 /// Those of `out`.
-pub(crate) fn summary(out: &mut impl Write, source: &SourceFile, tally: Tally) -> io::Result<()> {
+pub(crate) fn summary(out: &mut (impl Write + ?Sized), source: &SourceFile, tally: Tally) -> io::Result<()> {
     let name = sanitise(source.name());
-    let count = |number: usize, noun: &str| match number {
-        0 => None,
-        1 => Some(format!("1 {noun}")),
-        _ => Some(format!("{number} {noun}s")),
-    };
-    let counts: Vec<_> = [count(tally.errors, "error"), count(tally.warnings, "warning")]
-        .into_iter()
-        .flatten()
-        .collect();
-    if counts.is_empty() {
-        writeln!(out, "{name}: no problems")
-    } else {
-        writeln!(out, "{} in {name}", counts.join(", "))
+    match tally.words() {
+        Some(counts) => writeln!(out, "{counts} in {name}"),
+        None => writeln!(out, "{name}: no problems"),
     }
 }
 
@@ -115,35 +181,12 @@ struct Printer<'a> {
 }
 
 impl Printer<'_> {
-    fn print(mut self, out: &mut impl Write, diagnostics: &[Diagnostic], most: usize) -> io::Result<()> {
-        let errors = diagnostics
-            .iter()
-            .filter(|finding| finding.severity() == Severity::Error)
-            .count();
-        let mut warnings_left = most.saturating_sub(errors);
-        let mut errors_left = most;
-        for finding in diagnostics {
-            let left = match finding.severity() {
-                Severity::Error => &mut errors_left,
-                Severity::Warning | Severity::Hint => &mut warnings_left,
-            };
-            if *left > 0 {
-                *left -= 1;
-                self.one(out, finding)?;
-            }
-        }
-        let hidden = diagnostics.len().saturating_sub(most);
-        if hidden > 0 {
-            writeln!(out, "{hidden} more not shown; --max-diagnostics sets how many are")?;
-        }
-        Ok(())
-    }
-
-    fn one(&mut self, out: &mut impl Write, finding: &Diagnostic) -> io::Result<()> {
+    fn one(&mut self, out: &mut (impl Write + ?Sized), shown: &impl Shown) -> io::Result<()> {
+        let finding = shown.diagnostic();
         if let Some(excerpt) = Excerpt::of(self.source, finding) {
             let mut drawn = Vec::new();
             let place = |_: Span, index: usize| excerpt.places.get(index).cloned().unwrap_or_default();
-            let report = self.draw(finding, place);
+            let report = self.draw(shown, place);
             report.write((self.name.clone(), Source::from(excerpt.text)), &mut drawn)?;
             // The drawing counts columns from the start of the excerpt; the file counts them from the start of the line.
             let drawn = String::from_utf8_lossy(&drawn);
@@ -161,7 +204,7 @@ impl Printer<'_> {
             let snap = |offset: u32| snap(self.source.text(), offset as usize).max(start) - start;
             snap(span.start)..snap(span.end).max(snap(span.start))
         };
-        let report = self.draw(finding, place);
+        let report = self.draw(shown, place);
         report.write((self.name.clone(), &whole), &mut *out)?;
         self.whole = Some(whole);
         writeln!(out)
@@ -169,10 +212,11 @@ impl Printer<'_> {
 
     fn draw(
         &self,
-        finding: &Diagnostic,
+        shown: &impl Shown,
         place: impl Fn(Span, usize) -> Range<usize>,
     ) -> Report<'static, (String, Range<usize>)> {
-        let (kind, colour) = match finding.severity() {
+        let finding = shown.diagnostic();
+        let (kind, colour) = match shown.severity() {
             Severity::Error => (ReportKind::Error, Color::Red),
             Severity::Warning => (ReportKind::Warning, Color::Yellow),
             Severity::Hint => (ReportKind::Advice, Color::Cyan),

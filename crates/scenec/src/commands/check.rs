@@ -1,62 +1,116 @@
 //! `scenec check`
 
-use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+mod round;
+
+use std::ops::ControlFlow;
 
 use clap::Args;
-use scenec_interpret::analyse;
 
 use crate::exit::Exit;
-use crate::input;
-use crate::report::{self, Tally};
+use crate::files::FileOptions;
+use crate::jobs::Failures;
+use crate::levels::LevelOptions;
+use crate::output::OutputFormat;
+use crate::report;
+use crate::watch::watch;
+use round::Round;
+pub(crate) use round::write_diff;
 
-/// Report everything that is wrong or suspicious in scene files
+/// Report everything that is wrong, quietly does nothing or will look wrong in scene files
 ///
-/// Reports go to standard error. The exit code is 0 if no file has an error (warnings are allowed), 1 if one has, and 2
-/// if a file can't be read.
+/// Findings go to standard output. What they count as can be changed for each code, here or in a scenec.toml in the
+/// file's folder or one above it.
 #[derive(Args)]
-#[command(
-    after_help = "Examples:\n  scenec check scenes/seed.scene\n  scenec check --max-diagnostics 5 *.scene\n  \
-                        generate | scenec check -"
-)]
+#[command(after_help = AFTER_HELP)]
 pub(crate) struct Check {
-    /// The files to check; `-` reads standard input
-    #[arg(required = true, value_name = "FILE")]
-    files: Vec<PathBuf>,
+    #[command(flatten)]
+    files: FileOptions,
+    #[command(flatten)]
+    levels: LevelOptions,
+    #[command(flatten)]
+    fixing: FixOptions,
+    #[command(flatten)]
+    talk: TalkOptions,
+    /// Check again whenever a file changes, until Ctrl-C
+    #[arg(long)]
+    watch: bool,
+    /// End with 0 even if there are findings
+    #[arg(long)]
+    exit_zero: bool,
+}
+
+/// Arguments about repairs.
+#[derive(Args, Debug)]
+#[command(next_help_heading = "Repairs")]
+struct FixOptions {
+    /// Apply the repairs that are certain to leave the picture as it is
+    #[arg(long)]
+    fix: bool,
+    /// Apply, or count, the other repairs as well
+    #[arg(long)]
+    unsafe_fixes: bool,
+    /// Show what --fix would change, and change nothing
+    #[arg(long)]
+    diff: bool,
+}
+
+/// Arguments about what is said.
+#[derive(Args, Debug)]
+#[command(next_help_heading = "Reports")]
+struct TalkOptions {
+    /// How findings are written
+    #[arg(long, value_enum, default_value_t = OutputFormat::Full, value_name = "FORMAT", hide_possible_values = true)]
+    output_format: OutputFormat,
+    /// Count the findings of each code instead of showing them
+    #[arg(long)]
+    statistics: bool,
+    /// Say nothing but the findings
+    #[arg(short, long)]
+    quiet: bool,
     #[command(flatten)]
     style: report::Style,
 }
 
+const AFTER_HELP: &str = "\
+Output formats:
+  full        each finding with the lines that it is about
+  concise     one line a finding
+  json        one array            json-lines  one object a line
+  sarif       SARIF 2.1.0          github      annotations of a workflow
+  gitlab      code quality         junit       XML
+
+Examples:
+  scenec check
+  scenec check scenes --deny warnings --allow W009
+  scenec check old.rti --fix
+  generate | scenec check - --stdin-filename generated.scene
+
+Exit codes:
+  0    no finding counts as an error; with --diff, nothing would change
+  1    one does; with --diff, something would
+  2    bad arguments or configuration, or a file that can't be read or written; the others are checked
+  130  Ctrl-C";
+
 impl Check {
     pub(crate) fn run(&self) -> Exit {
-        // The drawings are many small writes.
-        let mut out = io::BufWriter::new(io::stderr().lock());
-        let mut exit = Exit::Clean;
-        for file in &self.files {
-            let (found, written) = self.check(file, &mut out);
-            exit = exit.max(found);
-            if written.is_err() {
-                // Whoever read the reports has gone away; what was found so far still counts.
-                return exit;
-            }
+        if !self.watch {
+            return self.once().0;
         }
-        // As above: there is nobody left to tell.
-        out.flush().unwrap_or_default();
-        exit
+        if self.files.standard() {
+            let mut failures = Failures::default();
+            failures.tell("standard input can't be watched".to_owned());
+            return Exit::Unusable;
+        }
+        watch(&self.files, || match self.once() {
+            (_, true) => ControlFlow::Continue(()),
+            (exit, false) => ControlFlow::Break(exit),
+        })
     }
 
-    /// How a file fared, and whether that could be written.
-    fn check(&self, file: &Path, out: &mut impl Write) -> (Exit, io::Result<()>) {
-        let (source, mut diagnostics) = match input::read(file) {
-            Ok(read) => read,
-            Err(message) => return (Exit::Unusable, report::failure(out, &message)),
-        };
-        diagnostics.extend(analyse(&source).1);
-        diagnostics.sort_by_key(|finding| finding.span().start);
-        let tally = Tally::of(&diagnostics);
-        let written =
-            report::print(out, &source, &diagnostics, &self.style).and_then(|()| report::summary(out, &source, tally));
-        let exit = if tally.errors > 0 { Exit::Errors } else { Exit::Clean };
-        (exit, written)
+    /// Checks every file; how that went, and whether somebody still reads what is written.
+    fn once(&self) -> (Exit, bool) {
+        let (exit, read) = Round::new(self).run();
+        let forgiven = self.exit_zero && exit == Exit::Errors;
+        (if forgiven { Exit::Clean } else { exit }, read)
     }
 }

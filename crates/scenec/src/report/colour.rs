@@ -1,12 +1,12 @@
 //! Whether reports are coloured.
 
 use std::env;
-use std::io::{self, IsTerminal};
+use std::io::IsTerminal;
 
 /// What the user asked for.
 #[derive(clap::ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum ColourChoice {
-    /// If standard error is a terminal, and NO_COLOR, CLICOLOR_FORCE and TERM don't say otherwise
+    /// If the reports go to a terminal, and NO_COLOR, CLICOLOR_FORCE and TERM don't say otherwise
     Auto,
     /// Always
     Always,
@@ -15,13 +15,14 @@ pub(crate) enum ColourChoice {
 }
 
 impl ColourChoice {
-    pub(crate) fn decide(self) -> bool {
+    /// Whether to colour what goes to `out`.
+    pub(crate) fn decide(self, out: &impl IsTerminal) -> bool {
         match self {
             Self::Always => true,
             Self::Never => false,
             Self::Auto => automatic(
                 |name| env::var_os(name).map(|value| value.to_string_lossy().into_owned()),
-                io::stderr().is_terminal(),
+                out.is_terminal(),
             ),
         }
     }

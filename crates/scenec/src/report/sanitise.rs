@@ -2,7 +2,7 @@
 
 /// The text with every control and invisible character replaced by a visible one of as many bytes, so that offsets stay
 /// true. Line feeds, tabs and the carriage return of a CRLF stay.
-pub(super) fn sanitise(text: &str) -> String {
+pub(crate) fn sanitise(text: &str) -> String {
     let mut clean = String::with_capacity(text.len());
     let mut characters = text.chars().peekable();
     while let Some(character) = characters.next() {
