@@ -8,10 +8,15 @@ Ray camera_ray(__global const Frame *frame, uint column, uint row, real right, r
     Ray ray;
     ray.origin = load(frame->eye);
     ray.direction = unit(scale_add(load(frame->up), y, scale_add(load(frame->right), x, load(frame->forward))));
-    ray.place = vector(0, 0, 0);
-    ray.class = NOTHING;
-    ray.into = false;
-    ray.inside = frame->inside != 0;
+    /* An eye that is on no surface has the normal 0, and all rays go to its side. */
+    Vector normal = load(frame->eye_normal);
+    bool behind = inner(normal, ray.direction) < 0;
+    ray.place = load(frame->eye_local);
+    if (frame->eye_flat)
+        ray.place = behind ? negated(normal) : normal;
+    ray.class = frame->eye_class;
+    ray.into = behind;
+    ray.inside = frame->eye_inside >> behind & 1;
 #if TOUCHES
     ray.end = (real)INFINITY;
     ray.touches = ray.touches_end = 0;

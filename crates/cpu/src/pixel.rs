@@ -7,8 +7,8 @@ use scenec_plan::packed_structs::Frame;
 use scenec_plan::{Packed, Real};
 
 use crate::path::{Spent, Walker};
-use crate::ray::{End, NO_CLASS, Ray};
-use crate::vector::{Vector, fma, normalize, scale};
+use crate::ray::{End, Ray};
+use crate::vector::{Vector, dot, fma, neg, normalize, scale};
 
 /// A traced pixel.
 #[derive(Clone, Copy, Debug)]
@@ -78,14 +78,21 @@ fn ray<R: Real>(frame: &Frame<R>, column: u32, row: u32, point: &[R; 2]) -> Ray<
     };
     let x = place(column, frame.width, point[0]);
     let y = -place(row, frame.height, point[1]);
-    let direction = fma(frame.up, y, fma(frame.right, x, frame.forward));
+    let direction = normalize(fma(frame.up, y, fma(frame.right, x, frame.forward)));
+    // An eye that is on no surface has the normal 0, and all rays go to its side.
+    let behind = dot(frame.eye_normal, direction) < R::ZERO;
+    let side = if behind {
+        neg(frame.eye_normal)
+    } else {
+        frame.eye_normal
+    };
     Ray {
         origin: frame.eye,
-        direction: normalize(direction),
-        local: [R::ZERO; 3],
-        class: NO_CLASS,
-        into: false,
-        inside: frame.inside != 0,
+        direction,
+        local: if frame.eye_flat != 0 { side } else { frame.eye_local },
+        class: frame.eye_class,
+        into: behind,
+        inside: frame.eye_inside >> u32::from(behind) & 1 == 1,
         end: End::NONE,
     }
 }

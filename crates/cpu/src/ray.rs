@@ -4,9 +4,6 @@ use scenec_plan::Real;
 
 use crate::vector::Vector;
 
-/// No surface: the ray comes from the eye.
-pub(crate) const NO_CLASS: u32 = u32::MAX;
-
 /// A half-line, with what is known exactly about its start.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ray<R> {
@@ -16,7 +13,7 @@ pub(crate) struct Ray<R> {
     pub(crate) direction: Vector<R>,
     /// Of a start on a ball or ellipsoid: where on the unit sphere. On a plane: the unit normal on the side of the ray.
     pub(crate) local: Vector<R>,
-    /// The class of the surface that it starts on, or [`NO_CLASS`].
+    /// The class of the surface that it starts on; no surface has the largest number.
     pub(crate) class: u32,
     /// Whether it runs into the ball or ellipsoid that it starts on. The kind of crossing that sent it says so, not a
     /// product that rounding may turn over.

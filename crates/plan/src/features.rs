@@ -72,7 +72,7 @@ impl Features {
             reflections: bounces && any_paint(|paint| paint.reflect != 0.0 || paint.refract != 0.0),
             refractions,
             branching,
-            inside: plan.inside || refractions,
+            inside: plan.standpoint.in_front || plan.standpoint.behind || refractions,
             supersampling: plan.view.samples.len() > 1,
             waiting: if branching {
                 plan.view.raydepth.next_power_of_two()

@@ -13,6 +13,7 @@ mod packed;
 mod program;
 mod real;
 mod shapes;
+mod standpoint;
 
 use std::fmt;
 
@@ -25,6 +26,7 @@ pub use packed::{Field, FieldKind, LAYOUTS, Layout, Packed, packed_structs};
 pub use program::{Instruction, OPERATION_SHIFT, evaluate};
 pub use real::Real;
 pub use shapes::{Shape, ShapeKind};
+pub use standpoint::{Foothold, Standpoint};
 
 /// The deepest hierarchy that a plan may hold: a traversal waits with at most this many nodes.
 pub const HIERARCHY_DEPTH: usize = bvh::MAX_DEPTH;
@@ -59,8 +61,8 @@ pub struct Plan {
     pub nodes: Vec<packed_structs::Node>,
     /// Entry j bounds what a ray that may still bounce j times can bring back, any component.
     pub reach: Vec<f64>,
-    /// Whether the eye stands inside the solid.
-    pub inside: bool,
+    /// How the eye stands to the solid.
+    pub standpoint: Standpoint,
     /// The point of the world that is the plan's origin.
     pub origin: DVec3,
     /// Plan units per world unit: a power of two.
@@ -132,7 +134,7 @@ pub fn plan(scene: &Scene) -> Result<Plan, PlanError> {
     let materials = frame::paints(scene, &flat.materials);
     let mut plan = Plan {
         reach: frame::reach(scene, &materials, &lights),
-        inside: false,
+        standpoint: Standpoint::OUTSIDE,
         origin: place.origin,
         scale: place.scale,
         view: frame::view(scene, &place),
@@ -147,31 +149,14 @@ pub fn plan(scene: &Scene) -> Result<Plan, PlanError> {
         members: flat.members,
         nodes: flat.nodes,
     };
-    plan.inside = plan.holds(plan.view.eye);
+    plan.standpoint = Standpoint::of(&plan);
     Ok(plan)
 }
 
 impl Plan {
-    /// Whether the solid holds a point, plan units; the surface itself counts as inside.
-    #[must_use]
-    pub fn holds(&self, point: DVec3) -> bool {
-        self.islands.iter().any(|island| {
-            island.bounds.holds(point)
-                && program::evaluate(self.program_of(island).iter().copied(), |local| {
-                    self.member(island, local)
-                        .is_some_and(|leaf| self.shapes[leaf.shape as usize].holds(point))
-                })
-        })
-    }
-
     /// The instructions of an island.
     #[must_use]
     pub fn program_of(&self, island: &Island) -> &[Instruction] {
         &self.program[island.program.0 as usize..island.program.1 as usize]
-    }
-
-    fn member(&self, island: &Island, local: u32) -> Option<&Leaf> {
-        let leaf = self.members.get((island.members.0 + local) as usize)?;
-        self.leaves.get(*leaf as usize)
     }
 }

@@ -247,6 +247,10 @@ packed! {
     Frame<R> {
         /// Where the camera stands.
         eye: [R; 3],
+        /// The outward unit normal of the surface that the eye is on, or zero.
+        eye_normal: [R; 3],
+        /// The eye on that surface's own unit sphere.
+        eye_local: [R; 3],
         /// Unit view direction.
         forward: [R; 3],
         /// To the right edge.
@@ -285,8 +289,13 @@ packed! {
         linear: u32,
         /// Lights.
         lights: u32,
-        /// 1 if the eye stands inside the solid.
-        inside: u32,
+        /// The class of the surface that the eye is on, or the largest number.
+        eye_class: u32,
+        /// 1 if that surface is a plane.
+        eye_flat: u32,
+        /// Plus 1 if a ray from the eye to the side of the normal runs inside the solid, plus 2 if one to the other side
+        /// does.
+        eye_inside: u32,
         /// Nodes of the hierarchy.
         nodes: u32,
     }
@@ -380,7 +389,7 @@ impl Plan {
     }
 
     fn packed_frame<R: Real>(&self) -> Frame<R> {
-        let view = &self.view;
+        let (view, surface) = (&self.view, self.standpoint.surface);
         Frame {
             eye: vector(view.eye.to_array()),
             forward: vector(view.forward.to_array()),
@@ -396,7 +405,11 @@ impl Plan {
             raydepth: view.raydepth,
             ray_budget: u32::MAX,
             linear: u32::try_from(self.linear).unwrap_or(u32::MAX),
-            inside: u32::from(self.inside),
+            eye_class: surface.map_or(u32::MAX, |surface| surface.class),
+            eye_flat: surface.map_or(0, |surface| u32::from(surface.flat)),
+            eye_inside: u32::from(self.standpoint.in_front) + 2 * u32::from(self.standpoint.behind),
+            eye_normal: surface.map_or([R::ZERO; 3], |surface| vector(surface.normal.to_array())),
+            eye_local: surface.map_or([R::ZERO; 3], |surface| vector(surface.local.to_array())),
             ..Frame::default()
         }
     }

@@ -46,11 +46,12 @@ impl Shape {
         }
     }
 
-    /// Where on its own unit sphere the surface has a point, if it is on the surface to within 2^-40 of the sizes that its
-    /// test subtracts: far above their rounding, far below what shows.
+    /// Where on its own unit sphere the surface has a point, if it is on the surface to within 2^-48 of the sizes that its
+    /// test subtracts: 32 roundings, which leaves room for those of the transform. A point that is nearer than that can't
+    /// be told from one on the surface.
     #[must_use]
     pub(crate) fn touched_by(&self, point: DVec3) -> Option<DVec3> {
-        let near = (-40.0_f64).exp2();
+        let near = (-48.0_f64).exp2();
         let sizes = point.abs().max_element() + self.centre.abs().max_element();
         let offset = point - self.centre;
         if self.kind == ShapeKind::HalfSpace {

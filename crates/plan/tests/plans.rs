@@ -74,6 +74,6 @@ fn only_what_the_scene_needs_is_on() {
 fn the_eye_knows_where_it_stands() {
     for (place, expect) in [("0 0 9", true), ("0 0 0", false), ("3 0 9", false)] {
         let plan = planned(&format!("!e := sphere\n!e += {place}\n!u := e - h\n!v := u | e\n!v <=")).unwrap();
-        assert_eq!(plan.inside, expect, "{place}");
+        assert_eq!(plan.standpoint.in_front, expect, "{place}");
     }
 }

@@ -36,6 +36,9 @@ pub(crate) struct List {
     pub(crate) before: bool,
     /// In the order of `t`.
     pub(crate) edges: Vec<Edge>,
+    /// The last crossing not ahead of t = 0 with any leaf inside, other than those that have the surface that the line
+    /// starts on; also where it does not show.
+    pub(crate) behind: Option<Edge>,
 }
 
 /// What a ray meets.
@@ -52,15 +55,15 @@ impl List {
     /// the line is on.
     ///
     /// Where the line is on the other side just after its start, a second surface passes the start within rounding. Of
-    /// its crossings the one that is nearer to the start is really there: `behind` it means that the ray runs into the
+    /// its crossings the one that is nearer to the start is really there: the one behind means that the ray runs into the
     /// second surface and is stopped at once, ahead that it comes away from it and goes on.
-    pub(crate) fn first(&self, side: Option<bool>, behind: Option<Edge>) -> Option<Hit> {
+    pub(crate) fn first(&self, side: Option<bool>) -> Option<Hit> {
         let ahead = self.edges.partition_point(|edge| edge.t <= 0.0);
         let mut inside = self.before != (ahead % 2 == 1);
         let mut rest = &self.edges[ahead..];
         if side.is_some_and(|side| side != inside) {
             let end = rest.first().map_or(f64::INFINITY, |edge| edge.t);
-            if let Some(edge) = behind.filter(|edge| -edge.t < end) {
+            if let Some(edge) = self.behind.filter(|edge| -edge.t < end) {
                 let edge = Edge { t: 0.0, ..edge };
                 return Some(Hit { edge, entering: inside });
             }
@@ -73,7 +76,7 @@ impl List {
 
     /// The same crossings of a solid made of one material.
     pub(crate) fn painted(mut self, material: MaterialId) -> Self {
-        for edge in &mut self.edges {
+        for edge in self.edges.iter_mut().chain(&mut self.behind) {
             edge.material = material;
         }
         self
@@ -87,9 +90,23 @@ impl List {
     pub(crate) fn combine(op: Op, left: &Self, right: &Self) -> Self {
         let (mut in_left, mut in_right) = (left.before, right.before);
         let mut inside = member(op, in_left, in_right);
+        // A subtracted solid's surface shows from its other side.
+        let turned = |edge: &Edge| Edge {
+            normal: if op == Op::Subtraction {
+                -edge.normal
+            } else {
+                edge.normal
+            },
+            ..*edge
+        };
+        let behind = right.behind.as_ref().map(turned);
         let mut combined = Self {
             before: inside,
             edges: Vec::new(),
+            behind: match (left.behind, behind) {
+                (Some(a), Some(b)) => Some(if b.t > a.t { b } else { a }),
+                (a, b) => a.or(b),
+            },
         };
         let (mut from_left, mut from_right) = (left.edges.iter().peekable(), right.edges.iter().peekable());
         loop {
@@ -105,14 +122,6 @@ impl List {
             let now = member(op, in_left, in_right);
             if now != inside {
                 inside = now;
-                let turned = |edge: &Edge| Edge {
-                    normal: if op == Op::Subtraction {
-                        -edge.normal
-                    } else {
-                        edge.normal
-                    },
-                    ..*edge
-                };
                 combined.edges.extend(a.copied().or_else(|| b.map(turned)));
             }
         }
@@ -152,6 +161,7 @@ mod tests {
         List {
             before,
             edges: ts.iter().map(edge).collect(),
+            behind: None,
         }
     }
 
@@ -215,18 +225,19 @@ mod tests {
     #[test]
     fn a_ray_meets_the_first_crossing_from_its_own_side() {
         let solid = list(LEFT, false, &[-1.0, 0.0, 2.0, 3.0]);
-        let first = |side| solid.first(side, None).map(|hit| (hit.edge.t, hit.entering));
+        let first = |side| solid.first(side).map(|hit| (hit.edge.t, hit.entering));
         assert_eq!(first(None), Some((2.0, true)));
         assert_eq!(first(Some(false)), Some((2.0, true)));
         assert_eq!(first(Some(true)), Some((3.0, false)));
-        assert_eq!(list(LEFT, true, &[0.0]).first(None, None), None);
+        assert_eq!(list(LEFT, true, &[0.0]).first(None), None);
     }
 
     #[test]
     fn a_ray_is_stopped_in_a_crease_and_comes_out_of_one() {
         let first = |ends: &[f64], behind: usize| {
-            let solid = list(LEFT, false, ends);
-            let hit = solid.first(Some(false), Some(solid.edges[behind]));
+            let mut solid = list(LEFT, false, ends);
+            solid.behind = solid.edges.get(behind).copied();
+            let hit = solid.first(Some(false));
             hit.map(|hit| (hit.edge.t, hit.entering))
         };
         assert_eq!(first(&[-1e-16, 5.0], 0), Some((0.0, true)));

@@ -74,7 +74,10 @@ impl World {
         };
         let mut path = Hash::EMPTY;
         let mut jobs = vec![Job {
-            line: Line::new(eye, direction),
+            line: Line {
+                start: self.tree.spot(eye),
+                ..Line::new(eye, direction)
+            },
             side: None,
             weight: 1.0,
             to_go: self.raydepth,
@@ -85,7 +88,7 @@ impl World {
                 tally.drop(job.weight.abs() * self.bounds[job.to_go as usize]);
                 continue;
             }
-            let Some(hit) = self.tree.first(&job.line, job.side) else {
+            let Some(hit) = self.tree.along(&job.line).first(job.side) else {
                 path.add(NOTHING);
                 sight.colour += job.weight * self.background(job.line.direction);
                 continue;
@@ -129,7 +132,8 @@ impl World {
             // The light stands at t = 1.
             if self
                 .tree
-                .first(&line, Some(!hit.entering))
+                .along(&line)
+                .first(Some(!hit.entering))
                 .is_some_and(|between| between.edge.t < 1.0)
             {
                 path.add(1);

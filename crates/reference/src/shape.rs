@@ -93,9 +93,10 @@ impl Shape {
         }
     }
 
-    /// The place of a world point that is on the surface, to 2^-40 of the numbers that tell.
+    /// The place of a world point that is on the surface, to 2^-48 of the numbers that tell: they are rounded a few times
+    /// on the way.
     pub(crate) fn place(&self, point: DVec3) -> Option<DVec3> {
-        let near = 2f64.powi(-40);
+        let near = 2f64.powi(-48);
         match *self {
             Self::Ball(transform) => {
                 let place = transform.inverse * (point - transform.centre);

@@ -4,7 +4,7 @@ use std::mem;
 
 use scenec_scene::{DVec3, MaterialId, Op, Scene, SolidId, SolidKind};
 
-use crate::list::{Edge, Hit, List, Spot};
+use crate::list::{Edge, List, Spot};
 use crate::shape::{Line, Shape};
 use crate::twins::Families;
 
@@ -93,18 +93,14 @@ impl Tree {
         })
     }
 
-    /// What a ray along the line meets first of the submitted solid, when it starts at t = 0 on this side of its surface;
-    /// `None` takes the side that the line is on.
-    pub(crate) fn first(&self, line: &Line, side: Option<bool>) -> Option<Hit> {
-        let (list, behind) = self.along(line);
-        list.first(side, behind)
+    /// The spot on a surface that a world point is; the first of several.
+    pub(crate) fn spot(&self, point: DVec3) -> Option<Spot> {
+        let (family, place) = *on(&self.nodes, point).first()?;
+        Some(Spot { family, place, point })
     }
 
-    /// What the line sees of the submitted solid, and the last crossing with any leaf, other than those that have the
-    /// surface that the line starts on, that is not ahead of t = 0.
-    pub(crate) fn along(&self, line: &Line) -> (List, Option<Edge>) {
-        let start = line.start.map(|start| start.family);
-        let mut behind: Option<Edge> = None;
+    /// What the line sees of the submitted solid.
+    pub(crate) fn along(&self, line: &Line) -> List {
         let ends: &[_] = line.light.map_or(&[], |light| &self.lights_on[light]);
         let mut lists: Vec<List> = Vec::with_capacity(self.nodes.len());
         for (here, node) in self.nodes.iter().enumerate() {
@@ -114,16 +110,7 @@ impl Tree {
                     family,
                     shape,
                     material,
-                } => {
-                    let list = leaf_list(*leaf, *family, shape, *material, line, ends);
-                    let passed = list.edges.iter().rfind(|edge| edge.t <= 0.0);
-                    if let Some(edge) = passed.filter(|edge| Some(edge.spot.family) != start)
-                        && behind.is_none_or(|last| edge.t > last.t)
-                    {
-                        behind = Some(*edge);
-                    }
-                    list
-                }
+                } => leaf_list(*leaf, *family, shape, *material, line, ends),
                 Node::Combine { op, left, right } => {
                     let list = List::combine(*op, &lists[*left], &lists[*right]);
                     self.forget(&mut lists, *left, here);
@@ -139,7 +126,7 @@ impl Tree {
             };
             lists.push(list);
         }
-        (lists.pop().unwrap_or_default(), behind)
+        lists.pop().unwrap_or_default()
     }
 
     /// Lets go of an operand's list if this was its last use, so that deep trees hold few lists at a time.
@@ -207,8 +194,11 @@ fn leaf_list(
             point: shape.point(place),
         },
     };
+    let edges: Vec<_> = crossings.into_iter().map(edge).collect();
+    let behind = edges.iter().rfind(|edge| edge.t <= 0.0 && start.is_none());
     List {
         before,
-        edges: crossings.into_iter().map(edge).collect(),
+        behind: behind.copied(),
+        edges,
     }
 }

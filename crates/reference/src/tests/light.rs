@@ -103,7 +103,8 @@ fn parallel_mirrors_sum_a_geometric_series() {
 
 #[test]
 fn no_bounce_in_a_whispering_gallery_is_lost() {
-    for depth in [1e-1, 1e-3, 1e-6, 1e-9, 1e-12] {
+    // At 50 from the origin a ball of this size has its surface to about 1e-11 of its radius; nearer is on it.
+    for depth in [1e-1, 1e-3, 1e-6, 1e-9, 1e-10] {
         let mut scene = scene();
         scene.settings.raydepth = 1000;
         let bright = glow(&mut scene, 1.0);

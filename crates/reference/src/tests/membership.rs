@@ -89,7 +89,7 @@ fn check(seed: u64, leaves: u32, half_spaces_in_ten: u64) {
         let tree = Tree::new(&scene);
         for _ in 0..50 {
             let line = Line::new(dice.vector() * 2.0, dice.vector());
-            let (list, _) = tree.along(&line);
+            let list = tree.along(&line);
             for _ in 0..20 {
                 let t = dice.number() * 3.0;
                 let passed = list.edges.iter().filter(|edge| edge.t <= t).count();
