@@ -12,7 +12,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use scenec_interpret::analyse;
+use scenec_lint::check;
 use scenec_picture::{Layers, Request};
 use scenec_scene::Scene;
 use scenec_text::Severity;
@@ -119,7 +119,7 @@ impl Render {
     fn scene(&self, clock: &mut Clock) -> Result<Scene, Failure> {
         let (source, mut diagnostics) = input::read(&self.file).map_err(Failure::Unusable)?;
         clock.lap("read");
-        let (interpretation, more) = analyse(&source);
+        let (interpretation, more) = check(&source);
         clock.lap("interpret");
         diagnostics.extend(more);
         diagnostics.sort_by_key(|finding| finding.span().start);
