@@ -1,14 +1,19 @@
 //! Repairs for what the earlier stages reported: they know what a statement means, not how to take one away.
 
+use scenec_interpret::Role;
 use scenec_syntax::Space;
-use scenec_text::{Code, Diagnostic, Edit, Fix};
+use scenec_text::{Code, Diagnostic, Edit, Fix, Span};
 
 use crate::context::Context;
 
 /// Attaches a repair to every finding that has a mechanical one.
 pub(crate) fn mend(context: &Context<'_>, findings: &mut [Diagnostic]) {
-    for finding in findings.iter_mut().filter(|finding| finding.fix.is_none()) {
+    for finding in findings.iter_mut() {
         let place = finding.span();
+        if let Some(fix) = &mut finding.fix {
+            rename_all(context, place, fix);
+            continue;
+        }
         finding.fix = match finding.code {
             Code::AfterSubmission => context.removal("remove the ignored statement", &[place]),
             Code::OperandEdited => context.removal("remove the edit", &[place]),
@@ -26,6 +31,26 @@ pub(crate) fn mend(context: &Context<'_>, findings: &mut [Diagnostic]) {
             _ => None,
         };
     }
+}
+
+/// A statement that names the same missing thing twice is reported once, and is mended in both places.
+fn rename_all(context: &Context<'_>, place: Span, fix: &mut Fix) {
+    let (Some(line), Some(first)) = (context.line_at(place), fix.edits.first().cloned()) else {
+        return;
+    };
+    let places = context.places_on(line.span);
+    let symbol = places
+        .iter()
+        .find(|other| other.span == first.span)
+        .map(|other| other.symbol);
+    let again = places
+        .iter()
+        .filter(|other| Some(other.symbol) == symbol && other.span != first.span);
+    fix.edits
+        .extend(again.filter(|other| other.role == Role::Use).map(|other| Edit {
+            span: other.span,
+            text: first.text.clone(),
+        }));
 }
 
 /// Removes what a later statement overwrites, with its edits.

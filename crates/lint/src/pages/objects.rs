@@ -112,7 +112,7 @@ pub(super) const PAGES: &[Page] = &[
         ///
         /// ```scene
         /// !ball := sphere
-        /// !ball *= 100 100 100
+        /// !ball *= 2 2 2
         /// !ball <=
         /// ```
         TransformOverflow

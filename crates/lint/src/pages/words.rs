@@ -85,7 +85,7 @@ pub(super) const PAGES: &[Page] = &[
         ///
         /// ```scene
         /// !ball := sphere
-        /// !ball += 1e9 0 0
+        /// !ball += 1e-9 0 0
         /// !ball <=
         /// ```
         NumberOverflow
