@@ -34,30 +34,59 @@ pub fn suppress(source: &SourceFile, lines: &[Line], findings: Vec<Diagnostic>) 
 /// The comments of a file that allow something.
 struct Allows {
     list: Vec<Allow>,
-    /// Which of them stand for a line; those under `None` stand for the file.
-    by_line: HashMap<Option<u32>, Vec<usize>>,
+    /// Which comment allows a code, and as which of its words, on a line or, under `None`, in the whole file. Of several
+    /// that do, the first counts and the others are useless.
+    places: HashMap<(Option<u32>, Code), (usize, usize)>,
 }
 
 impl Allows {
     fn gather(source: &SourceFile, lines: &[Line]) -> Self {
-        let mut list = Vec::new();
-        let mut by_line: HashMap<Option<u32>, Vec<usize>> = HashMap::new();
+        let mut allows = Self {
+            list: Vec::new(),
+            places: HashMap::new(),
+        };
         let mut begun = false;
-        for (index, line) in lines.iter().enumerate() {
+        // Comments on lines of their own, in a row up to this line, that wait for what they are about.
+        let mut waiting: Vec<usize> = Vec::new();
+        let mut last = 0;
+        for line in lines {
             let own = matches!(line.content, Content::Comment);
             begun |= !own;
-            let Some(allow) = line.comment.and_then(|comment| Allow::read(comment, source.text())) else {
+            let allow = line.comment.and_then(|comment| Allow::read(comment, source.text()));
+            if waiting.is_empty() && allow.is_none() {
                 continue;
-            };
-            let target = match (begun, own) {
-                (false, _) => None,
-                (true, true) => Some(next(source, lines, index)),
-                (true, false) => Some(source.line_of(line.span.start)),
-            };
-            by_line.entry(target).or_default().push(list.len());
-            list.push(allow);
+            }
+            let number = source.line_of(line.span.start);
+            if !waiting.is_empty() && (number != last + 1 || !own) {
+                for index in waiting.drain(..) {
+                    allows.aim(index, Some(last + 1));
+                }
+            }
+            last = number;
+            let Some(allow) = allow else { continue };
+            allows.list.push(allow);
+            let index = allows.list.len() - 1;
+            match (begun, own) {
+                (false, _) => allows.aim(index, None),
+                (true, true) => waiting.push(index),
+                (true, false) => allows.aim(index, Some(number)),
+            }
         }
-        Self { list, by_line }
+        allows
+    }
+
+    /// Settles what a comment stands for.
+    fn aim(&mut self, index: usize, target: Option<u32>) {
+        let named = self
+            .list
+            .get(index)
+            .map(|allow| allow.named.as_slice())
+            .unwrap_or_default();
+        for (word, named) in named.iter().enumerate() {
+            if let Some(code) = named.code.filter(|code| code.severity() != Severity::Error) {
+                self.places.entry((target, code)).or_insert((index, word));
+            }
+        }
     }
 
     /// What is left of the findings; notes which codes silenced something.
@@ -66,10 +95,11 @@ impl Allows {
             let line = source.line_of(finding.span().start);
             let mut silenced = false;
             for target in [Some(line), None] {
-                for index in self.by_line.get(&target).into_iter().flatten() {
-                    let allow = self.list.get_mut(*index);
-                    silenced |=
-                        finding.severity() != Severity::Error && allow.is_some_and(|allow| allow.covers(finding.code));
+                if let Some(&(index, word)) = self.places.get(&(target, finding.code))
+                    && let Some(named) = self.list.get_mut(index).and_then(|allow| allow.named.get_mut(word))
+                {
+                    named.used = true;
+                    silenced = true;
                 }
             }
             !silenced
@@ -81,19 +111,6 @@ impl Allows {
         let remark = |allow| remark::remarks(source, allow, &about);
         self.list.iter().flat_map(remark).collect()
     }
-}
-
-/// The number of the line that a comment on a line of its own is about: the one below, past other comments.
-fn next(source: &SourceFile, lines: &[Line], comment: usize) -> u32 {
-    let number = |line: &Line| source.line_of(line.span.start);
-    let mut expected = lines.get(comment).map_or(0, number);
-    for line in lines.iter().skip(comment + 1) {
-        expected += 1;
-        if number(line) != expected || !matches!(line.content, Content::Comment) {
-            break;
-        }
-    }
-    expected
 }
 
 /// The place of `part`, which is a piece of the text at `whole`.

@@ -58,16 +58,6 @@ impl Allow {
             named,
         })
     }
-
-    /// Whether it allows a code; if so, it has silenced something.
-    pub(super) fn covers(&mut self, code: Code) -> bool {
-        let mut covered = false;
-        for named in self.named.iter_mut().filter(|named| named.code == Some(code)) {
-            named.used = true;
-            covered = true;
-        }
-        covered
-    }
 }
 
 fn word(text: &str) -> &str {

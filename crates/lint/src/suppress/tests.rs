@@ -41,6 +41,11 @@ fn it_reaches_no_further() {
     look("", "a := 1\n/ scenec: allow W009\n", &["W009 a := 1", "I001 W009"]);
     look("", "a := 1 / scenec: allow W012\n", &["W009 a := 1", "I001 W012"]);
     look("", "a := 1 / allow W009\n", &["W009 a := 1"]);
+    look(
+        "",
+        "/ scenec: allow W009\n/ scenec: allow W009\na := 1\n",
+        &["I001 W009"],
+    );
     look("", "a := 1 2 / scenec: allow E007\n", &["E007 2", "I001 E007"]);
 }
 
