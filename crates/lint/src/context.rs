@@ -10,6 +10,8 @@ use scenec_scene::{Light, Material, Scene, SettingInfo, Step};
 use scenec_syntax::{Content, Line, Space, Statement};
 use scenec_text::{SourceFile, Span};
 
+use crate::geometry::Geometry;
+
 pub(crate) use reach::Reach;
 use uses::Uses;
 
@@ -19,6 +21,7 @@ pub(crate) struct Context<'a> {
     pub(crate) lines: &'a [Line],
     pub(crate) interpretation: &'a Interpretation,
     reach: OnceCell<Option<Reach>>,
+    geometry: OnceCell<Geometry>,
     uses: OnceCell<Uses>,
 }
 
@@ -38,6 +41,7 @@ impl<'a> Context<'a> {
             lines,
             interpretation,
             reach: OnceCell::new(),
+            geometry: OnceCell::new(),
             uses: OnceCell::new(),
         }
     }
@@ -83,6 +87,12 @@ impl<'a> Context<'a> {
     /// What the submitted object is made of; `None` where there is no scene.
     pub(crate) fn reach(&self) -> Option<&Reach> {
         self.reach.get_or_init(|| self.scene().map(Reach::of)).as_ref()
+    }
+
+    /// The scene with what is certain about its geometry.
+    pub(crate) fn geometry(&self) -> Option<(&'a Scene, &Geometry)> {
+        let scene = self.scene()?;
+        Some((scene, self.geometry.get_or_init(|| Geometry::of(scene))))
     }
 
     /// The line that holds `place`, which may be its first byte or any other of its words.

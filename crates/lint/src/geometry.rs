@@ -16,9 +16,8 @@ mod tree;
 mod verdicts;
 mod view;
 
-use scenec_scene::{DVec3, Scene};
+use scenec_scene::{DVec3, Scene, SolidId, SolidKind};
 
-use crate::context::Reach;
 use bounds::Bounds;
 use groups::{Group, Groups};
 use relation::Prover;
@@ -26,8 +25,8 @@ use relation::Prover;
 pub(crate) use bounds::{above, below};
 pub(crate) use groups::{Covered, Member};
 pub(crate) use point::Side;
-pub(crate) use proof::{Proof, figure};
-pub(crate) use shape::{Ball, SLACK};
+pub(crate) use proof::figure;
+pub(crate) use shape::{Ball, SLACK, frobenius};
 pub(crate) use spectral::largest_singular;
 pub(crate) use verdicts::{Operand, Outcome, Verdict};
 pub(crate) use view::Frustum;
@@ -40,6 +39,8 @@ pub(crate) struct Geometry {
     pub(crate) covered: Vec<Covered>,
     /// Whether the submitted solid is certain to be empty.
     pub(crate) empty: bool,
+    /// Which solids the submitted one is made of.
+    reached: Vec<bool>,
     /// What the submitted solid is a union of; itself, if it is no union.
     root: Group,
 }
@@ -55,16 +56,14 @@ pub(crate) enum Place {
 }
 
 impl Geometry {
-    pub(crate) fn of(scene: &Scene, reach: &Reach) -> Self {
+    pub(crate) fn of(scene: &Scene) -> Self {
+        let reached = reached(scene);
         let bounds = bounds::all(scene);
-        let prover = Prover {
-            scene,
-            bounds: &bounds,
-        };
-        let (verdicts, empty) = verdicts::all(prover, reach);
-        let is_empty = |id: scenec_scene::SolidId| empty.get(id.index()).copied().unwrap_or_default();
+        let prover = Prover { scene, bounds: &bounds };
+        let (verdicts, empty) = verdicts::all(prover, &reached);
+        let is_empty = |id: SolidId| empty.get(id.index()).copied().unwrap_or_default();
         let (mut covered, mut root) = (Vec::new(), None);
-        Groups::new(scene).each(reach, |members, repeated| {
+        Groups::new(scene).each(&reached, |members, repeated| {
             let group = Group::new(members, &bounds);
             covered.extend(repeated);
             covered.extend(group.covered(prover, is_empty));
@@ -74,8 +73,14 @@ impl Geometry {
             verdicts,
             covered,
             empty: is_empty(scene.root),
+            reached,
             root: root.unwrap_or_else(|| Group::new(Vec::new(), &bounds)),
         }
+    }
+
+    /// Whether the submitted solid is made of the one with this number, whatever the operators leave of it.
+    pub(crate) fn reaches(&self, index: usize) -> bool {
+        self.reached.get(index) == Some(&true)
     }
 
     /// Where a point is. Looking takes `steps`; without any left, nothing is certain.
@@ -106,4 +111,29 @@ impl Geometry {
     pub(crate) fn steps_for(&self, points: usize) -> u64 {
         (self.root.members.len() as u64 + 1024) * 16 + points as u64 * 1024
     }
+}
+
+/// Which solids the submitted one is made of: combinations stand behind their operands.
+fn reached(scene: &Scene) -> Vec<bool> {
+    let mut reached = vec![false; scene.solids.len()];
+    let mark = |id: SolidId, reached: &mut Vec<bool>| {
+        if let Some(reached) = reached.get_mut(id.index()) {
+            *reached = true;
+        }
+    };
+    mark(scene.root, &mut reached);
+    for (index, solid) in scene.solids.iter().enumerate().rev() {
+        if reached.get(index) != Some(&true) {
+            continue;
+        }
+        match solid.kind {
+            SolidKind::Leaf(_) => {}
+            SolidKind::Paint { inside, .. } => mark(inside, &mut reached),
+            SolidKind::Combine { left, right, .. } => {
+                mark(left, &mut reached);
+                mark(right, &mut reached);
+            }
+        }
+    }
+    reached
 }

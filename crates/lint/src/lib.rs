@@ -8,6 +8,7 @@ mod page;
 mod check;
 mod context;
 mod findings;
+mod geometry;
 mod mend;
 mod pages;
 mod removal;

@@ -1,6 +1,7 @@
 //! The rules: one file each, in folders by what they are about.
 
 mod dropped;
+mod geometry;
 mod values;
 
 use crate::rule::Rule;
@@ -26,4 +27,16 @@ pub(crate) const RULES: &[Rule] = &[
     values::unbent_glass::RULE,
     values::many_samples::RULE,
     values::idle_depth::RULE,
+    // Geometry that comes to nothing, each with its proof.
+    geometry::covered_solid::RULE,
+    geometry::idle_subtraction::RULE,
+    geometry::empty_subtraction::RULE,
+    geometry::empty_intersection::RULE,
+    geometry::idle_intersection::RULE,
+    geometry::coincident_operands::RULE,
+    geometry::buried_light::RULE,
+    geometry::buried_eye::RULE,
+    geometry::nothing_in_view::RULE,
+    geometry::ill_conditioned::RULE,
+    geometry::too_far_to_resolve::RULE,
 ];

@@ -133,6 +133,28 @@ codes! {
     LostReflection = "W024", Warning;
     /// A light that is black.
     DarkLight = "W025", Warning;
+    /// A solid that another one of its union contains.
+    CoveredSolid = "W040", Warning;
+    /// A subtraction that removes nothing.
+    IdleSubtraction = "W041", Warning;
+    /// A subtraction that removes everything.
+    EmptySubtraction = "W042", Warning;
+    /// An intersection of solids that have nothing in common.
+    EmptyIntersection = "W043", Warning;
+    /// An intersection with a solid that cuts nothing away.
+    IdleIntersection = "W044", Warning;
+    /// A solid combined with itself.
+    CoincidentOperands = "W045", Warning;
+    /// A light inside an opaque solid.
+    BuriedLight = "W046", Warning;
+    /// An eye inside an opaque solid.
+    BuriedEye = "W047", Warning;
+    /// A picture in which nothing can be seen.
+    NothingInView = "W048", Warning;
+    /// A transform that stretches far more one way than another.
+    IllConditioned = "W049", Warning;
+    /// An object too far from the eye to be told from its neighbours in numbers of 32 bits.
+    TooFarToResolve = "W050", Warning;
     /// A comment that silences nothing.
     UselessAllow = "I001", Hint;
     /// A refraction that bends nothing.

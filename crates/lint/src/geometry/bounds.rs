@@ -135,7 +135,11 @@ fn of_shape(shape: &Shape) -> Bounds {
 /// The largest single that is at most this.
 pub(crate) fn below(value: f64) -> f32 {
     let near = value as f32;
-    if f64::from(near) > value { near.next_down() } else { near }
+    if f64::from(near) > value {
+        near.next_down()
+    } else {
+        near
+    }
 }
 
 /// The smallest single that is at least this.
@@ -151,7 +155,10 @@ mod tests {
     #[test]
     fn sides_are_rounded_outwards() {
         for value in [0.1, -0.1, 1e-300, -1e-300, 1e300, -1e300, 0.0, 3.0] {
-            assert!(f64::from(below(value)) <= value && value <= f64::from(above(value)), "{value}");
+            assert!(
+                f64::from(below(value)) <= value && value <= f64::from(above(value)),
+                "{value}"
+            );
         }
     }
 

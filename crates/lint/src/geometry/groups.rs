@@ -6,7 +6,6 @@ use super::bounds::Bounds;
 use super::proof::Proof;
 use super::relation::Prover;
 use super::tree::Tree;
-use crate::context::Reach;
 
 /// The most pairs that are looked at of members and members without bounds.
 const MOST_PAIRS: usize = 4_000_000;
@@ -62,14 +61,14 @@ impl<'a> Groups<'a> {
 
     /// Goes through the groups of all that is reached, the submitted solid's first; each comes with the solids that it takes
     /// more than once.
-    pub(super) fn each(mut self, reach: &Reach, mut visit: impl FnMut(Vec<Member>, Vec<Covered>)) {
+    pub(super) fn each(mut self, reached: &[bool], mut visit: impl FnMut(Vec<Member>, Vec<Covered>)) {
         let scene = self.scene;
         let (members, repeated) = self.gather(scene.root);
         visit(members, repeated);
         for index in (0..scene.solids.len()).rev() {
             let id = SolidId(index as u32);
             let fresh = self.is_union(id) && self.met.get(index) == Some(&0);
-            if fresh && reach.solid(index) {
+            if fresh && reached.get(index) == Some(&true) {
                 let (members, repeated) = self.gather(id);
                 visit(members, repeated);
             }
@@ -180,7 +179,8 @@ impl Cover<'_> {
     fn by_unbounded(&mut self) {
         let count = self.group.members.len();
         let most = (MOST_PAIRS / count.max(1)).max(1);
-        for number in 0..count as u32 {
+        // Those without bounds come first, so that one that lies inside another is not what the rest is said to lie in.
+        for number in self.group.unbounded.iter().copied().chain(0..count as u32) {
             for other in self.group.unbounded.iter().take(most) {
                 self.compare(number, *other);
             }
@@ -201,12 +201,16 @@ impl Cover<'_> {
         let mut steps = STEPS_PER_MEMBER * (order.len() as u64 + 1024);
         let mut near = Vec::new();
         for (_, outer) in order {
-            let bounds = self.member(outer).and_then(|member| self.prover.bounds.get(member.solid.index()));
+            let bounds = self
+                .member(outer)
+                .and_then(|member| self.prover.bounds.get(member.solid.index()));
             let Some(bounds) = bounds.filter(|_| !self.is_done(outer)) else {
                 continue;
             };
             near.clear();
-            self.group.tree.lying_in(&bounds.grown(), &mut steps, |number| near.push(number));
+            self.group
+                .tree
+                .lying_in(&bounds.grown(), &mut steps, |number| near.push(number));
             for inner in &near {
                 self.compare(*inner, outer);
             }

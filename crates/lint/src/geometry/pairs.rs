@@ -56,10 +56,8 @@ fn ball_in_ball(inner: &Ball, outer: &Ball) -> Option<Fact> {
     }
     let reach = offset + largest_singular(&(outer.inverse * inner.linear)) * (1.0 + inner.slop);
     let sizes = 1.0 + frobenius(&outer.inverse) * (frobenius(&inner.linear) + apart.length());
-    if !(reach < 1.0 - outer.slop - SLACK * sizes) {
-        return None;
-    }
-    Some(match (inner.radius(), outer.radius()) {
+    let certain = reach < 1.0 - outer.slop - SLACK * sizes;
+    certain.then(|| match (inner.radius(), outer.radius()) {
         (Some(small), Some(large)) => Fact::Radii {
             distance: apart.length(),
             inner: small,
@@ -148,7 +146,9 @@ mod tests {
     }
 
     fn half(by: f64, turn: f64, height: f64) -> Shape {
-        let turned = Transform::IDENTITY.scaled(DVec3::new(1.0, by, 1.0)).rotated(Axis::X, turn);
+        let turned = Transform::IDENTITY
+            .scaled(DVec3::new(1.0, by, 1.0))
+            .rotated(Axis::X, turn);
         shape(Base::HalfSpace, turned.translated(DVec3::Y * height))
     }
 

@@ -80,7 +80,12 @@ impl fmt::Display for Proof {
             ),
             Fact::Boxes { axis, end, begin } => {
                 let axis = ["x", "y", "z"].get(axis).unwrap_or(&"?");
-                write!(f, "one ends at {axis} = {}, the other begins at {}", figure(end), figure(begin))
+                write!(
+                    f,
+                    "one ends at {axis} = {}, the other begins at {}",
+                    figure(end),
+                    figure(begin)
+                )
             }
         }
     }

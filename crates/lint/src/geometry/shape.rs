@@ -89,7 +89,10 @@ impl Ball {
         let square = x.length_squared();
         let even = [y.length_squared() - square, z.length_squared() - square];
         let askew = [x.dot(y), y.dot(z), z.dot(x)];
-        let off = even.into_iter().chain(askew).fold(0.0, |most: f64, off| most.max(off.abs()));
+        let off = even
+            .into_iter()
+            .chain(askew)
+            .fold(0.0, |most: f64, off| most.max(off.abs()));
         (off <= square * SLACK).then(|| square.sqrt())
     }
 }

@@ -53,7 +53,10 @@ mod tests {
 
     fn check(matrix: DMat3, expect: f64) {
         let found = largest_singular(&matrix);
-        assert!((found - expect).abs() <= 1e-14 * expect, "{matrix}: {found}, not {expect}");
+        assert!(
+            (found - expect).abs() <= 1e-14 * expect,
+            "{matrix}: {found}, not {expect}"
+        );
     }
 
     #[test]

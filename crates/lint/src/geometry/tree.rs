@@ -120,7 +120,9 @@ fn sorted(boxes: Vec<(u32, Bounds)>) -> Vec<(u32, Bounds)> {
     let middle = |bounds: &Bounds, i: usize| f64::from(bounds.low[i]) + f64::from(bounds.high[i]);
     let ends: [(f64, f64); 3] = std::array::from_fn(|i| {
         let middles = boxes.iter().map(|(_, bounds)| middle(bounds, i));
-        middles.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)))
+        middles.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
+            (low.min(at), high.max(at))
+        })
     });
     let cells = f64::from((1_u32 << 21) - 1);
     let code = |bounds: &Bounds| {
@@ -132,7 +134,10 @@ fn sorted(boxes: Vec<(u32, Bounds)>) -> Vec<(u32, Bounds)> {
     };
     let mut order: Vec<_> = (0..).zip(&boxes).map(|(at, (_, one))| (code(one), at)).collect();
     order.sort_unstable();
-    order.iter().filter_map(|(_, at): &(u64, u32)| boxes.get(*at as usize).copied()).collect()
+    order
+        .iter()
+        .filter_map(|(_, at): &(u64, u32)| boxes.get(*at as usize).copied())
+        .collect()
 }
 
 /// The 21 lowest bits, two apart.
@@ -173,7 +178,10 @@ mod tests {
             let mut found = Vec::new();
             tree.lying_in(query, &mut u64::MAX.clone(), |number| found.push(number));
             found.sort_unstable();
-            let expect = all.iter().filter(|(_, other)| query.holds(other)).map(|(number, _)| *number);
+            let expect = all
+                .iter()
+                .filter(|(_, other)| query.holds(other))
+                .map(|(number, _)| *number);
             assert_eq!(found, expect.collect::<Vec<_>>());
             let point = Bounds {
                 low: query.high,
@@ -182,7 +190,10 @@ mod tests {
             let mut found = Vec::new();
             tree.holding(&point, &mut u64::MAX.clone(), |number| found.push(number));
             found.sort_unstable();
-            let expect = all.iter().filter(|(_, other)| other.holds(&point)).map(|(number, _)| *number);
+            let expect = all
+                .iter()
+                .filter(|(_, other)| other.holds(&point))
+                .map(|(number, _)| *number);
             assert_eq!(found, expect.collect::<Vec<_>>());
         }
     }

@@ -4,7 +4,6 @@ use scenec_scene::{Op, SolidId, SolidKind};
 
 use super::proof::Proof;
 use super::relation::{Prover, bare};
-use crate::context::Reach;
 
 /// What a combination comes to.
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +37,7 @@ pub(crate) enum Outcome {
 
 /// The verdicts on what is reached, operands first, and for every solid whether it is certain to be empty. About what has an
 /// empty operand nothing more is said.
-pub(super) fn all(prover: Prover<'_>, reach: &Reach) -> (Vec<Verdict>, Vec<bool>) {
+pub(super) fn all(prover: Prover<'_>, reached: &[bool]) -> (Vec<Verdict>, Vec<bool>) {
     let mut verdicts = Vec::new();
     let mut empty: Vec<bool> = Vec::with_capacity(prover.scene.solids.len());
     for (index, solid) in prover.scene.solids.iter().enumerate() {
@@ -47,7 +46,7 @@ pub(super) fn all(prover: Prover<'_>, reach: &Reach) -> (Vec<Verdict>, Vec<bool>
             SolidKind::Leaf(_) => false,
             SolidKind::Paint { inside, .. } => at(inside),
             SolidKind::Combine { op, left, right } => match (op, at(left), at(right)) {
-                _ if !reach.solid(index) => false,
+                _ if reached.get(index) != Some(&true) => false,
                 (Op::Union, left, right) => left && right,
                 (_, true, _) => true,
                 (op, false, true) => op == Op::Intersection,

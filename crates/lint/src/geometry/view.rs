@@ -34,7 +34,12 @@ impl Frustum {
         Some(Self {
             eye,
             walls: [wall(right)?, wall(-right)?, wall(up)?, wall(-up)?, -forward],
-            corners: [corner(1.0, 1.0)?, corner(1.0, -1.0)?, corner(-1.0, 1.0)?, corner(-1.0, -1.0)?],
+            corners: [
+                corner(1.0, 1.0)?,
+                corner(1.0, -1.0)?,
+                corner(-1.0, 1.0)?,
+                corner(-1.0, -1.0)?,
+            ],
         })
     }
 
