@@ -195,3 +195,66 @@ fn what_is_said_of_random_scenes_is_so() {
         assert!(count >= 5, "{code:?} came up {count} times: {confirmations:?}");
     }
 }
+
+const SETTINGS: &str = "width := 60\nheight := 40\nraydepth := 0\nlookat_x := 0\nlookat_y := 0\nlookat_z := 0\n\
+     eyepos_x := 0\neyepos_y := 1\neyepos_z := 500\nambient_r := 0.2\nambient_g := 0.2\nambient_b := 0.2\n\
+     ambient_int_r := 1\nambient_int_g := 1\nambient_int_b := 1\n";
+
+/// A chain of unions of balls, each given by its radius and centre.
+fn chain(balls: &[(f64, DVec3)]) -> String {
+    let mut text = SETTINGS.to_owned();
+    for (i, (radius, at)) in balls.iter().enumerate() {
+        let DVec3 { x, y, z } = *at;
+        text += &format!("!b{i} := sphere\n!b{i} *= {radius} {radius} {radius}\n!b{i} += {x} {y} {z}\n");
+        text += &match i {
+            0 => String::new(),
+            1 => "!x := b0 | b1\n".to_owned(),
+            _ => format!("!x := x | b{i}\n"),
+        };
+    }
+    text + "!x <=\n"
+}
+
+#[test]
+fn a_union_of_many_is_searched_as_if_pair_by_pair() {
+    let mut state = 1_u64;
+    let mut random = || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let balls: Vec<_> = (0..3000)
+        .map(|_| {
+            let at = DVec3::new(random(), random(), random()) * 20.0;
+            (0.05 + 2.0 * random() * random(), at)
+        })
+        .collect();
+    let held = |(small, at): &(f64, DVec3)| {
+        balls
+            .iter()
+            .any(|(large, centre)| at.distance(*centre) + small < *large)
+    };
+    let expect = balls.iter().filter(|ball| held(ball)).count();
+    let found = findings(&chain(&balls));
+    assert!(
+        found.iter().all(|finding| finding.code == Code::CoveredSolid),
+        "{:?}",
+        found.first()
+    );
+    assert!(found.len() == expect && expect > 100, "{} of {expect}", found.len());
+}
+
+#[test]
+fn deep_trees_and_balls_in_one_place_are_no_trouble() {
+    let nested: Vec<_> = (1..20_000).map(|i| (f64::from(i) * 0.01, DVec3::ZERO)).collect();
+    let covered = |text: &str, code| findings(text).iter().filter(|finding| finding.code == code).count();
+    assert_eq!(covered(&chain(&nested), Code::CoveredSolid), nested.len() - 1);
+    let same = vec![(1.5, DVec3::Y); 20_000];
+    assert_eq!(covered(&chain(&same), Code::CoincidentOperands), same.len() - 1);
+    let mut cheese = chain(&nested[..1]).replace("!x <=\n", "!x := b0 | b0\n");
+    for i in 0..20_000 {
+        cheese += &format!("!h{i} := sphere\n!h{i} += {} 9 0\n!x := x - h{i}\n", 3 * i);
+    }
+    assert_eq!(covered(&(cheese + "!x <=\n"), Code::IdleSubtraction), 20_000);
+}

@@ -64,7 +64,7 @@ impl Tree {
         Self { items, levels }
     }
 
-    /// Calls `visit` with the number of every box that lies in `outer`. Every node looked at takes one of `steps`;
+    /// Calls `visit` with the number of every box that lies in `outer`. Every node entered takes one of `steps`;
     /// without any left the search ends.
     pub(super) fn lying_in(&self, outer: &Bounds, steps: &mut u64, mut visit: impl FnMut(u32)) {
         self.walk(
@@ -95,23 +95,29 @@ impl Tree {
         let Some(top) = self.levels.len().checked_sub(1) else {
             return;
         };
-        let mut open = vec![(top, 0)];
+        let node = |level: usize, index: usize| self.levels.get(level).and_then(|nodes| nodes.get(index));
+        let mut open = Vec::with_capacity(2 * self.levels.len());
+        open.extend(node(top, 0).filter(|node| enter(node)).map(|_| (top, 0)));
         while let Some((level, index)) = open.pop() {
             let Some(left) = steps.checked_sub(1) else { return };
             *steps = left;
-            let Some(node) = self.levels.get(level).and_then(|nodes| nodes.get(index)) else {
-                continue;
-            };
-            if !enter(node) {
-                continue;
-            }
             if level > 0 {
-                open.extend([(level - 1, 2 * index), (level - 1, 2 * index + 1)]);
+                let below = [2 * index, 2 * index + 1].map(|index| (level - 1, index));
+                open.extend(
+                    below
+                        .into_iter()
+                        .filter(|(level, index)| node(*level, *index).is_some_and(&enter)),
+                );
                 continue;
             }
             let bunch = self.items.iter().skip(index * BUNCH).take(BUNCH);
             bunch.for_each(|(number, bounds)| visit(*number, bounds));
         }
+    }
+
+    /// The numbers of the boxes with their boxes, near ones close together and of those in one place the largest first.
+    pub(super) fn items(&self) -> &[(u32, Bounds)] {
+        &self.items
     }
 }
 
@@ -132,11 +138,16 @@ fn sorted(boxes: Vec<(u32, Bounds)>) -> Vec<(u32, Bounds)> {
             code | spread((share * cells) as u64) << i
         })
     };
-    let mut order: Vec<_> = (0..).zip(&boxes).map(|(at, (_, one))| (code(one), at)).collect();
+    // The bits of singles that are not negative are in the order of their values.
+    let small = |bounds: &Bounds| u32::MAX - bounds.size().to_bits();
+    let mut order: Vec<_> = (0..)
+        .zip(&boxes)
+        .map(|(at, (_, one))| (code(one), small(one), at))
+        .collect();
     order.sort_unstable();
     order
         .iter()
-        .filter_map(|(_, at): &(u64, u32)| boxes.get(*at as usize).copied())
+        .filter_map(|(_, _, at): &(u64, u32, u32)| boxes.get(*at as usize).copied())
         .collect()
 }
 

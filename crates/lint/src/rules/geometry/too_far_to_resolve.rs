@@ -93,6 +93,6 @@ fn unresolved(ball: &Ball, offset: [f64; 3]) -> Option<(usize, f64, f64, f64)> {
         let near = (offset[axis].abs() as f32).next_down();
         let step = f64::from(near) - f64::from(near.next_down());
         let (offset, radius) = (offset[axis].abs(), radii[axis]);
-        (near.is_finite() && step > radius).then_some((axis, offset, step, radius))
+        (near.is_normal() && near > 0.0 && step > radius).then_some((axis, offset, step, radius))
     })
 }
