@@ -87,8 +87,8 @@ fn arguments_out_of_range_are_refused_in_the_words_of_the_settings() {
 #[test]
 fn a_scene_beyond_the_tracers_is_refused() {
     let room = Room::new();
-    // Written out, each line doubles what the one before it takes.
-    let doubled = "!a := a - b\n!a := a & a\n".repeat(30);
+    // Written out, each pair of lines doubles what the one before it takes.
+    let doubled = "!c := a - b\n!a := a & c\n".repeat(30);
     let scene = SCENE.replace("!ball := a - b", &format!("{doubled}!ball := a - b"));
     fs::write(room.path("vast.scene"), scene).unwrap();
     room.check(
