@@ -12,11 +12,9 @@ use crate::report;
 
 /// Print the manual page of a finding: what it means, why it matters, an example and its repair
 #[derive(Args, Debug)]
-#[command(
-    after_help = "Examples:\n  scenec explain W012\n  scenec explain unused-object\n  \
+#[command(after_help = "Examples:\n  scenec explain W012\n  scenec explain unused-object\n  \
                         scenec explain --all --output-format json\n\n\
-                        Exit codes:\n  0  the page is printed\n  2  there is no such code"
-)]
+                        Exit codes:\n  0  the page is printed\n  2  there is no such code")]
 pub(crate) struct Explain {
     /// Codes such as `W012`, or their names such as `unused-object`
     #[arg(required_unless_present = "all", value_name = "CODE")]
@@ -65,7 +63,10 @@ fn find(word: &str) -> Result<Page, String> {
         return Ok(*page);
     }
     let names: Vec<_> = pages.iter().map(Page::name).collect();
-    let known = pages.iter().map(|page| page.code.id()).chain(names.iter().map(String::as_str));
+    let known = pages
+        .iter()
+        .map(|page| page.code.id())
+        .chain(names.iter().map(String::as_str));
     let hint = match closest(word, known) {
         Some(near) => format!("did you mean {near}?"),
         None => "`scenec explain --all` prints every page".to_owned(),
@@ -76,7 +77,10 @@ fn find(word: &str) -> Result<Page, String> {
 fn written(pages: &[Page], format: Format) -> String {
     match format {
         Format::Text => {
-            let pages: Vec<_> = pages.iter().map(|page| format!("# {}\n\n{}", page.title(), page.text())).collect();
+            let pages: Vec<_> = pages
+                .iter()
+                .map(|page| format!("# {}\n\n{}", page.title(), page.text()))
+                .collect();
             pages.join("\n")
         }
         Format::Json => {
