@@ -9,12 +9,12 @@
 )]
 
 use scenec_cpu::Cpu;
-use scenec_device::{DeviceInfo, Precision, discover, select, tracer};
+use scenec_device::{DeviceInfo, Precision, tracer};
 use scenec_picture::{Frame, Layers, Limits, Request, Tracer, Watch, Window};
 use scenec_plan::{Features, Plan, plan};
 use scenec_reference::Reference;
 use scenec_scene::Scene;
-use scenec_tests::{Mask, compare, gallery, random_scene, scene};
+use scenec_tests::{Mask, compare, device, gallery, random_scene, scene};
 
 /// How far colours may be apart on calm pixels.
 const F64: f64 = 1e-9;
@@ -95,14 +95,6 @@ impl Judge {
             );
         }
     }
-}
-
-fn device() -> Option<&'static DeviceInfo> {
-    let found = select("opencl", discover());
-    if std::env::var_os("SCENEC_REQUIRE_OPENCL").is_some() {
-        return Some(found.expect("SCENEC_REQUIRE_OPENCL is set, so a device must be found"));
-    }
-    found.inspect_err(|error| println!("skipped: {error}")).ok()
 }
 
 /// The gallery at a size at which the reference is quick.

@@ -38,7 +38,7 @@ impl fmt::Display for DeviceKind {
 /// One device, as its driver describes it. All texts are single lines without control characters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DeviceInfo {
-    /// The position in [`Discovery::devices`], which is how a user may name the device.
+    /// The position in [`crate::Discovery::devices`], which is how a user may name the device.
     pub index: usize,
     /// The name of the platform, that is, of the driver.
     pub platform: String,

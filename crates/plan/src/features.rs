@@ -1,7 +1,9 @@
 //! What a scene needs of a tracer: the one door through which anything is specialised.
 
+use scenec_scene::Material;
+
 use crate::bvh::MAX_DEPTH;
-use crate::{Paint, Plan, ShapeKind};
+use crate::{Plan, ShapeKind};
 
 /// Which parts of a tracer a scene needs. What is off may be left out of the code without any change to the picture.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -47,9 +49,9 @@ impl Features {
     pub fn of(plan: &Plan) -> Self {
         let bounces = plan.view.raydepth > 0;
         let any_shape = |kind| plan.shapes.iter().any(|shape| shape.kind == kind);
-        let any_paint = |test: fn(&Paint) -> bool| plan.materials.iter().any(test);
-        let refractions = bounces && any_paint(|paint| paint.refract != 0.0);
-        let branching = bounces && any_paint(|paint| paint.refract != 0.0 && paint.reflect != 0.0);
+        let any_material = |test: fn(&Material) -> bool| plan.materials.iter().any(test);
+        let refractions = bounces && any_material(|material| material.refract != 0.0);
+        let branching = bounces && any_material(|material| material.refract != 0.0 && material.reflect != 0.0);
         let largest = plan
             .islands
             .iter()
@@ -67,9 +69,9 @@ impl Features {
             hierarchy: !plan.nodes.is_empty(),
             lights: !plan.lights.is_empty(),
             touches: !plan.touches.is_empty(),
-            highlights: !plan.lights.is_empty() && any_paint(|paint| paint.specular != 0.0),
+            highlights: !plan.lights.is_empty() && any_material(|material| material.specular != 0.0),
             // Total reflection mirrors too.
-            reflections: bounces && any_paint(|paint| paint.reflect != 0.0 || paint.refract != 0.0),
+            reflections: bounces && any_material(|material| material.reflect != 0.0 || material.refract != 0.0),
             refractions,
             branching,
             inside: plan.standpoint.in_front || plan.standpoint.behind || refractions,

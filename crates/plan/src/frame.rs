@@ -1,6 +1,6 @@
 //! The camera, the lights and the materials in plan units, and the bound on what a ray can bring back.
 
-use scenec_scene::{DVec3, Scene};
+use scenec_scene::{DVec3, Material, Scene};
 
 use crate::PlanError;
 use crate::flatten::Flat;
@@ -51,27 +51,6 @@ pub struct Touch {
     pub class: u32,
     /// The light on the surface's own unit sphere; of no meaning for a half-space.
     pub local: DVec3,
-}
-
-/// A material's numbers: see the scene's material for their meaning.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Paint {
-    /// ka.
-    pub ambient: f64,
-    /// kd.
-    pub diffuse: f64,
-    /// ks.
-    pub specular: f64,
-    /// kr.
-    pub reflect: f64,
-    /// kt.
-    pub refract: f64,
-    /// n.
-    pub index: f64,
-    /// s.
-    pub shiny: f64,
-    /// C.
-    pub colour: DVec3,
 }
 
 /// Where the plan's coordinates lie in the world.
@@ -186,32 +165,18 @@ pub(crate) fn touches(lamps: &mut [Lamp], shapes: &[Shape]) -> Vec<Touch> {
     touches
 }
 
-pub(crate) fn paints(scene: &Scene, used: &[scenec_scene::MaterialId]) -> Vec<Paint> {
-    let paint = |material: &scenec_scene::Material| Paint {
-        ambient: material.ambient,
-        diffuse: material.diffuse,
-        specular: material.specular,
-        reflect: material.reflect,
-        refract: material.refract,
-        index: material.index,
-        shiny: material.shiny,
-        colour: material.colour,
-    };
-    used.iter().map(|id| paint(scene.material(*id))).collect()
-}
-
 /// Entry j bounds what a ray with j bounces left can bring back, in any component: what a surface gives by itself plus
 /// (|kr| + |kt|) times the entry before, or the background (Hall and Greenberg 1983 for the idea). May be infinite.
-pub(crate) fn reach(scene: &Scene, paints: &[Paint], lamps: &[Lamp]) -> Vec<f64> {
+pub(crate) fn reach(scene: &Scene, materials: &[Material], lamps: &[Lamp]) -> Vec<f64> {
     let ambient = scene.settings.ambient * scene.settings.ambient_int;
     let sky = scene.settings.ambient_int.abs().max(ambient.abs()).max_element();
     let light = lamps.iter().fold(DVec3::ZERO, |sum, lamp| sum + lamp.colour.abs());
-    let own = paints.iter().fold(0.0_f64, |most, paint| {
-        let diffuse = (paint.colour * paint.diffuse).abs() + DVec3::splat(paint.specular.abs());
-        most.max(((paint.colour * ambient * paint.ambient).abs() + light * diffuse).max_element())
+    let own = materials.iter().fold(0.0_f64, |most, material| {
+        let diffuse = (material.colour * material.diffuse).abs() + DVec3::splat(material.specular.abs());
+        most.max(((material.colour * ambient * material.ambient).abs() + light * diffuse).max_element())
     });
-    let gain = paints.iter().fold(0.0_f64, |most, paint| {
-        most.max(paint.reflect.abs() + paint.refract.abs())
+    let gain = materials.iter().fold(0.0_f64, |most, material| {
+        most.max(material.reflect.abs() + material.refract.abs())
     });
     let mut reach = vec![sky.max(own)];
     for _ in 0..scene.settings.raydepth {

@@ -17,11 +17,11 @@ mod standpoint;
 
 use std::fmt;
 
-use scenec_scene::{DVec3, Scene};
+use scenec_scene::{DVec3, Material, Scene};
 
 pub use bounds::Box3;
 pub use features::Features;
-pub use frame::{Lamp, Paint, Touch, View};
+pub use frame::{Lamp, Touch, View};
 pub use packed::{Field, FieldKind, LAYOUTS, Layout, Packed, packed_structs};
 pub use program::{Instruction, OPERATION_SHIFT, evaluate};
 pub use real::Real;
@@ -44,7 +44,7 @@ pub struct Plan {
     /// The surfaces that lights lie on.
     pub touches: Vec<Touch>,
     /// The materials that some leaf uses.
-    pub materials: Vec<Paint>,
+    pub materials: Vec<Material>,
     /// The distinct surfaces.
     pub shapes: Vec<Shape>,
     /// The distinct leaves, left before right: the lower number owns where two coincide.
@@ -131,7 +131,7 @@ pub fn plan(scene: &Scene) -> Result<Plan, PlanError> {
     let flat = bvh::arrange(flat.relative(&place));
     let mut lights = frame::lamps(scene, &place);
     let touches = frame::touches(&mut lights, &flat.shapes);
-    let materials = frame::paints(scene, &flat.materials);
+    let materials: Vec<_> = flat.materials.iter().map(|id| *scene.material(*id)).collect();
     let mut plan = Plan {
         reach: frame::reach(scene, &materials, &lights),
         standpoint: Standpoint::OUTSIDE,

@@ -361,15 +361,15 @@ impl Plan {
             materials: self
                 .materials
                 .iter()
-                .map(|paint| Material {
-                    ambient: R::of(paint.ambient),
-                    diffuse: R::of(paint.diffuse),
-                    specular: R::of(paint.specular),
-                    reflect: R::of(paint.reflect),
-                    refract: R::of(paint.refract),
-                    index: R::of(paint.index),
-                    shiny: R::of(paint.shiny),
-                    colour: vector(paint.colour.to_array()),
+                .map(|material| Material {
+                    ambient: R::of(material.ambient),
+                    diffuse: R::of(material.diffuse),
+                    specular: R::of(material.specular),
+                    reflect: R::of(material.reflect),
+                    refract: R::of(material.refract),
+                    index: R::of(material.index),
+                    shiny: R::of(material.shiny),
+                    colour: vector(material.colour.to_array()),
                 })
                 .collect(),
             lights: self.lights.iter().map(packed_light).collect(),
