@@ -26,6 +26,7 @@ pub(crate) use operand::report_stale;
 pub(crate) fn run(state: &mut State<'_>, line: Span, statement: &Statement) {
     if let Some((_, submitted)) = state.submission.done
         && statement.form().info().space == Space::Object
+        && !object::is_malformed(state, statement)
     {
         submit::after(state, line, statement, submitted);
         return;

@@ -119,7 +119,7 @@ fn a_comment_that_swallowed_a_file_of_carriage_returns_is_told() {
 
 #[test]
 fn edits_that_do_nothing_are_told() {
-    use Code::{AfterSubmission, MaterialRedefined, OperandEdited, OverwrittenUnused, UnusedVariable};
+    use Code::{AfterSubmission, MaterialRedefined, OperandEdited, OverwrittenUnused, UnknownBase, UnusedVariable};
     let m = "?m := 0 0 0 0 0 1 1 1 1 1\n";
     check(
         "!a := sphere\n!b := a | a\n!a += 1 0 0\n!a *= 2 2 2\n!b <=\n",
@@ -146,9 +146,11 @@ fn edits_that_do_nothing_are_told() {
     check("q := 7\n!a := hp\n!a <=\n", &[UnusedVariable]);
     check("q := 7\n!a := hp\n!a += q q q\nq := 8\n!a <=\n", &[UnusedVariable]);
     check(
-        "!a := hp\n!a <=\n!b := a | a\n!a += 1 0 0\n!a <=\n!c := nothing\n",
+        "!a := hp\n!a <=\n!b := a | a\n!a += 1 0 0\n!a <=\n!c := sphere\n",
         &[AfterSubmission; 4],
     );
+    // What is no statement at all is an error wherever it stands.
+    check("!a := hp\n!a <=\n!c := nothing\n", &[UnknownBase]);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! `!x := sphere`
 
 use scenec_scene::{Base, Leaf, MaterialId, SolidKind, Transform};
-use scenec_syntax::quote;
+use scenec_syntax::{Statement, quote};
 use scenec_text::{Code, Diagnostic, Span, closest};
 
 use super::operand;
@@ -12,21 +12,33 @@ pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, base: Span) {
     let id = state
         .objects
         .mention(state.text, name, Role::Define, &mut state.symbols);
-    let word = base.of(state.text);
-    let Some((base, _)) = Base::ALL.iter().find(|(_, known)| *known == word) else {
+    let Some(known) = base_of(state, base) else {
         let finding = unknown_base(state, name, base);
         state.report(finding);
         operand::poison(state, id);
         return;
     };
     let leaf = Leaf {
-        base: *base,
+        base: known,
         transform: Transform::IDENTITY,
         steps: None,
         material: MaterialId::DEFAULT,
     };
     let solid = state.push_solid(SolidKind::Leaf(leaf), line);
     operand::bind(state, id, solid, line);
+}
+
+/// Whether the statement is an object of no known base: that is no statement of the language at all, wherever it stands.
+pub(super) fn is_malformed(state: &State<'_>, statement: &Statement) -> bool {
+    matches!(statement, Statement::Object { base, .. } if base_of(state, *base).is_none())
+}
+
+fn base_of(state: &State<'_>, base: Span) -> Option<Base> {
+    let word = base.of(state.text);
+    Base::ALL
+        .iter()
+        .find(|(_, known)| *known == word)
+        .map(|(base, _)| *base)
 }
 
 fn unknown_base(state: &mut State<'_>, name: Span, base: Span) -> Diagnostic {
