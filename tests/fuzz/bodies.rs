@@ -37,7 +37,8 @@ pub(crate) fn parse(bytes: &[u8]) {
 /// There is a scene unless there is an error; findings come in order, and repairs can be applied.
 pub(crate) fn lint(bytes: &[u8]) {
     let (source, reading) = SourceFile::from_bytes("t", bytes.to_vec()).unwrap();
-    let (interpretation, findings) = scenec_lint::check(&source);
+    let checked = scenec_lint::check(&source);
+    let (interpretation, findings) = (checked.interpretation, checked.diagnostics);
     assert_eq!(interpretation.scene.is_none(), failed(&reading) || failed(&findings));
     assert!(findings.is_sorted_by_key(|finding| finding.span().start));
     hold(&source, &findings);

@@ -115,7 +115,8 @@ fn found(source: &SourceFile, finding: &Diagnostic) -> Vec<Mark> {
 
 fn findings(name: &str, bytes: Vec<u8>) -> (SourceFile, Vec<Diagnostic>) {
     let (source, mut findings) = SourceFile::from_bytes(name, bytes).unwrap();
-    let (interpretation, more) = check(&source);
+    let checked = check(&source);
+    let (interpretation, more) = (checked.interpretation, checked.diagnostics);
     findings.extend(more);
     let failed = findings.iter().any(|finding| finding.severity() == Severity::Error);
     assert_eq!(

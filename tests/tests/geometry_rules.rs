@@ -19,7 +19,7 @@ const EYES: [DVec3; 3] = [
 ];
 
 fn findings(text: &str) -> Vec<Diagnostic> {
-    check(&SourceFile::new("random", text).unwrap()).1
+    check(&SourceFile::new("random", text).unwrap()).diagnostics
 }
 
 fn trace(scene: &Scene) -> Frame {

@@ -35,6 +35,17 @@ const ROOMS: &[Room] = &[
         &["scenec-text", "scenec-syntax", "scenec-scene", "scenec-interpret"],
         &[],
     ),
+    room(
+        "scenec-ide",
+        &[
+            "scenec-text",
+            "scenec-syntax",
+            "scenec-scene",
+            "scenec-interpret",
+            "scenec-lint",
+        ],
+        &[],
+    ),
     room("scenec-plan", &["scenec-text", "scenec-scene"], &["obvhs"]),
     room("scenec-picture", &[], &["image", "tempfile"]),
     room("scenec-reference", &["scenec-scene", "scenec-picture"], &[]),
@@ -52,6 +63,19 @@ const ROOMS: &[Room] = &[
         &["ocl"],
     ),
     room(
+        "scenec-lsp",
+        &[
+            "scenec-text",
+            "scenec-scene",
+            "scenec-ide",
+            "scenec-plan",
+            "scenec-picture",
+            "scenec-cpu",
+            "scenec-device",
+        ],
+        &["base64", "serde", "serde_json", "tokio", "tower-lsp"],
+    ),
+    room(
         "scenec",
         &[
             "scenec-text",
@@ -59,6 +83,7 @@ const ROOMS: &[Room] = &[
             "scenec-scene",
             "scenec-interpret",
             "scenec-lint",
+            "scenec-lsp",
             "scenec-plan",
             "scenec-picture",
             "scenec-reference",
@@ -80,7 +105,7 @@ const ROOMS: &[Room] = &[
 ];
 
 /// Outside crates that more than one room may use; any other belongs to one room alone.
-const SHARED: &[&str] = &["tempfile"];
+const SHARED: &[&str] = &["serde_json", "tempfile"];
 
 /// The most lines that a source file may have.
 const LONGEST: usize = 500;

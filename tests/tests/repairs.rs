@@ -14,7 +14,7 @@ use scenec_text::{Diagnostic, Fix, SourceFile};
 type Counts = BTreeMap<(&'static str, String), usize>;
 
 fn findings(text: &str) -> Vec<Diagnostic> {
-    check(&SourceFile::new("t", text).unwrap()).1
+    check(&SourceFile::new("t", text).unwrap()).diagnostics
 }
 
 fn counts(findings: &[Diagnostic]) -> Counts {
@@ -128,7 +128,7 @@ fn a_safe_repair_leaves_what_is_rendered() {
         }
         words.join("\n")
     }
-    let scene = |text: &str| check(&SourceFile::new("t", text).unwrap()).0.scene;
+    let scene = |text: &str| check(&SourceFile::new("t", text).unwrap()).interpretation.scene;
     let mut tried = 0;
     for entry in fs::read_dir(root().join("tests/fixtures")).unwrap() {
         let path = entry.unwrap().path();

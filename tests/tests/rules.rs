@@ -21,7 +21,7 @@ fn codes(scene: &str) -> Vec<Code> {
         bytes.extend_from_slice(rest.as_bytes());
     }
     let (source, mut findings) = SourceFile::from_bytes("example", bytes).unwrap();
-    findings.extend(check(&source).1);
+    findings.extend(check(&source).diagnostics);
     findings.iter().map(|finding| finding.code).collect()
 }
 

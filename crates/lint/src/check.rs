@@ -10,10 +10,20 @@ use crate::mend::mend;
 use crate::rules::RULES;
 use crate::suppress::suppress;
 
-/// Parses and interprets a file, applies every rule and obeys the comments that silence findings. The findings of all
-/// stages come in one list, ordered by place; those of the file's reader are not among them.
+/// A file that went all the way: what each stage made of it, and everything that was found.
+#[derive(Clone, Debug)]
+pub struct Checked {
+    /// What its lines say.
+    pub lines: Vec<Line>,
+    /// What they mean.
+    pub interpretation: Interpretation,
+    /// The findings of all stages, ordered by place; those of the file's reader are not among them.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Parses and interprets a file, applies every rule and obeys the comments that silence findings.
 #[must_use]
-pub fn check(source: &SourceFile) -> (Interpretation, Vec<Diagnostic>) {
+pub fn check(source: &SourceFile) -> Checked {
     let (lines, mut diagnostics) = parse(source);
     let (interpretation, more) = interpret(source, &lines);
     diagnostics.extend(more);
@@ -22,7 +32,11 @@ pub fn check(source: &SourceFile) -> (Interpretation, Vec<Diagnostic>) {
     diagnostics.extend(apply(&context));
     findings::sort(&mut diagnostics);
     let diagnostics = suppress(source, &lines, diagnostics);
-    (interpretation, diagnostics)
+    Checked {
+        lines,
+        interpretation,
+        diagnostics,
+    }
 }
 
 /// Applies every rule to a file that has been parsed and interpreted. The findings are ordered by place; what the

@@ -16,6 +16,6 @@ mod rule;
 mod rules;
 mod suppress;
 
-pub use check::{check, lint};
+pub use check::{Checked, check, lint};
 pub use page::{PRELUDE, Page, page, pages};
 pub use suppress::suppress;

@@ -23,7 +23,7 @@ pub(crate) struct Checked {
 
 /// Everything there is to say about a file. `reading` is what reading it has found already.
 pub(crate) fn find(source: &SourceFile, reading: &[Diagnostic], levels: &Levels) -> Vec<Finding> {
-    let mut diagnostics = scenec_lint::check(source).1;
+    let mut diagnostics = scenec_lint::check(source).diagnostics;
     diagnostics.extend_from_slice(reading);
     diagnostics.sort_by_key(|finding| finding.span().start);
     let shown = |diagnostic: Diagnostic| {

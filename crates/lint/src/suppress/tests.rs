@@ -11,7 +11,7 @@ const SETTINGS: &str = "width := 6\nheight := 4\nraydepth := 0\nlookat_x := 0\nl
 /// The codes that are left of a file, behind each the words of its place.
 fn codes(text: &str) -> Vec<String> {
     let source = SourceFile::new("t", text).unwrap();
-    let (_, findings) = check(&source);
+    let findings = check(&source).diagnostics;
     let show = |finding: &scenec_text::Diagnostic| format!("{} {}", finding.code.id(), finding.span().of(text));
     findings.iter().map(show).collect()
 }
@@ -63,7 +63,7 @@ fn repairs_remove_what_is_useless_and_no_more() {
     let fixed = |after: &str| {
         let text = format!("{SETTINGS}{after}");
         let source = SourceFile::new("t", text.as_str()).unwrap();
-        let (_, findings) = check(&source);
+        let findings = check(&source).diagnostics;
         let remark = findings.iter().find(|finding| finding.code.id() == "I001").unwrap();
         let edit = &remark.fix.as_ref().unwrap().edits[0];
         let mut text = text;

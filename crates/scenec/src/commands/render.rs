@@ -119,9 +119,9 @@ impl Render {
     fn scene(&self, clock: &mut Clock) -> Result<Scene, Failure> {
         let (source, mut diagnostics) = input::read(&self.file).map_err(Failure::Unusable)?;
         clock.lap("read");
-        let (interpretation, more) = check(&source);
+        let checked = check(&source);
         clock.lap("interpret");
-        diagnostics.extend(more);
+        diagnostics.extend(checked.diagnostics);
         diagnostics.sort_by_key(|finding| finding.span().start);
         let tally = Tally::of(&diagnostics);
         if self.talk.quiet {
@@ -138,7 +138,7 @@ impl Render {
                 .and_then(|()| out.flush())
                 .unwrap_or_default();
         }
-        interpretation.scene.ok_or(Failure::Errors)
+        checked.interpretation.scene.ok_or(Failure::Errors)
     }
 
     /// Says what may be wrong with a picture.
