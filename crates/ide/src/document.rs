@@ -1,16 +1,21 @@
 //! One document with everything that is known about it.
 
+use std::sync::OnceLock;
+
 use scenec_interpret::Interpretation;
 use scenec_lint::{Checked, check};
 use scenec_scene::Scene;
 use scenec_syntax::Line;
 use scenec_text::{Diagnostic, SourceFile};
 
+use crate::facts::Facts;
+
 /// A text and what every stage made of it. It never changes: an edited text is another document.
 #[derive(Clone, Debug)]
 pub struct Document {
     source: SourceFile,
     checked: Checked,
+    facts: OnceLock<Facts>,
 }
 
 impl Document {
@@ -18,7 +23,11 @@ impl Document {
     #[must_use]
     pub fn new(source: SourceFile) -> Self {
         let checked = check(&source);
-        Self { source, checked }
+        Self {
+            source,
+            checked,
+            facts: OnceLock::new(),
+        }
     }
 
     /// The text and its line index.
@@ -55,6 +64,11 @@ impl Document {
     #[must_use]
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.checked.diagnostics
+    }
+
+    /// What features ask again and again, worked out when first asked.
+    pub(crate) fn facts(&self) -> &Facts {
+        self.facts.get_or_init(|| Facts::of(self))
     }
 
     /// The line that an offset lies on, if it is not blank.

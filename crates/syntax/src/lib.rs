@@ -17,3 +17,4 @@ pub use forms::{FORMS, Form, FormInfo, Space};
 pub use parse::parse;
 pub use quote::quote;
 pub use statement::{Axis, Broken, Content, Line, Operator, Sign, Statement, Value, ValueKind};
+pub use token::{Token, scan};

@@ -10,43 +10,62 @@ use scenec_text::Span;
 /// a token of its own, so that `a -b` subtracts and `1 -2` is two values.
 #[derive(Logos, Clone, Copy, PartialEq, Eq, Debug)]
 #[logos(skip(r"[\p{White_Space}--[\r\n]]+"))]
-pub(crate) enum Token {
+pub enum Token {
+    /// The end of a line.
     #[regex(r"\r?\n")]
     Newline,
+    /// A slash and everything up to the line feed, a carriage return before that included.
     #[regex(r"/[^\n]*", allow_greedy = true)]
     Comment,
+    /// A name, `pi` included, without a sigil; the words for base objects are names.
     #[regex(r"[\p{XID_Start}_]\p{XID_Continue}*")]
     Name,
+    /// A number without its sign, or what looks like one.
     #[regex(r"[0-9.]([eE][+-]|[.\p{XID_Continue}])*")]
     Number,
+    /// `!`
     #[token("!")]
     Bang,
+    /// `?`
     #[token("?")]
     Question,
+    /// `*`
     #[token("*")]
     Star,
+    /// `:=`
     #[token(":=")]
     Assign,
+    /// `?=`
     #[token("?=")]
     SetMaterial,
+    /// `*=`
     #[token("*=")]
     Scale,
+    /// `+=`
     #[token("+=")]
     Translate,
+    /// `<=`
     #[token("<=")]
     Submit,
+    /// `#x=`
     #[token("#x=")]
     RotateX,
+    /// `#y=`
     #[token("#y=")]
     RotateY,
+    /// `#z=`
     #[token("#z=")]
     RotateZ,
+    /// `|`
     #[token("|")]
     Or,
+    /// `&`
     #[token("&")]
     And,
+    /// `-`
     #[token("-")]
     Minus,
+    /// `+`
     #[token("+")]
     Plus,
     /// A run of characters that are no token; a rotation about no axis is one run, not two.
@@ -63,7 +82,13 @@ pub(crate) struct Word {
     pub(crate) number: f64,
 }
 
-/// Every token of a text, in order, each with its place; touching bad characters come as one.
+/// Every token of a text with its place, in order; touching bad characters come as one. It is for what fits no
+/// statement: [`crate::parse`] tells what the rest says.
+pub fn scan(text: &str) -> impl Iterator<Item = (Token, Span)> + '_ {
+    Scanner::new(text).map(|word| (word.token, word.span))
+}
+
+/// The tokens of a text as the parser takes them.
 pub(crate) struct Scanner<'a> {
     lexer: logos::Lexer<'a, Token>,
     /// What was read beyond a run of bad characters.

@@ -1,0 +1,170 @@
+//! Statements as snippets, read off the table of forms.
+
+use scenec_scene::{Base, DEFAULT_MATERIAL};
+use scenec_syntax::{FORMS, Form, FormInfo, Space};
+
+use super::{Completion, CompletionKind, Cursor};
+use crate::fields::meaning;
+use crate::words::{code, figure};
+
+impl Cursor<'_> {
+    /// Every statement, as a snippet.
+    pub(super) fn statements(&self) -> Vec<Completion> {
+        let list = FORMS.iter().map(|row| self.statement(row, row.text, 0));
+        list.collect()
+    }
+
+    /// What may follow the name that a line begins with.
+    pub(super) fn operators(&self, space: Space) -> Vec<Completion> {
+        let rows = FORMS.iter().filter(|row| row.space == space);
+        rows.filter_map(|row| {
+            let (_, rest) = row.text.split_once(' ')?;
+            if self.more {
+                let (operator, _) = rest.split_once(' ').unwrap_or((rest, ""));
+                return Some(self.operator(row, operator));
+            }
+            Some(self.statement(row, rest, 1))
+        })
+        .collect()
+    }
+
+    /// The operators that join two objects.
+    pub(super) fn joints(&self) -> Vec<Completion> {
+        let words = [
+            "union: in either",
+            "intersection: in both",
+            "subtraction: in the left and not in the right",
+        ];
+        let joints = JOINTS.iter().zip(words);
+        joints
+            .map(|(joint, words)| Completion {
+                detail: words.to_owned(),
+                ..self.item(CompletionKind::Operator, *joint)
+            })
+            .collect()
+    }
+
+    fn operator(&self, row: &FormInfo, operator: &str) -> Completion {
+        Completion {
+            detail: row.meaning.to_owned(),
+            ..self.item(CompletionKind::Operator, operator)
+        }
+    }
+
+    fn statement(&self, row: &FormInfo, text: &str, skip: usize) -> Completion {
+        Completion {
+            detail: row.meaning.to_owned(),
+            documentation: fields_of(row),
+            insert: snippet(row, skip),
+            snippet: true,
+            ..self.item(CompletionKind::Statement, text)
+        }
+    }
+}
+
+/// What joins two objects.
+const JOINTS: [&str; 3] = ["|", "&", "-"];
+
+/// A statement without its first words, as a snippet.
+fn snippet(row: &FormInfo, skip: usize) -> String {
+    let mut writer = Writer::new();
+    let words: Vec<&str> = row.text.split(' ').collect();
+    let first_field = words.len() - row.fields.len();
+    for (at, word) in words.iter().enumerate().skip(skip) {
+        if !writer.text.is_empty() {
+            writer.text.push(' ');
+        }
+        if let Some(field) = at.checked_sub(first_field) {
+            writer.stop(&usual(row.form, field));
+        } else if at == 0 {
+            writer.plain(row.space.sigil());
+            writer.stop(word.trim_start_matches(row.space.sigil()));
+        } else if JOINTS.contains(word) {
+            writer.choice(&JOINTS);
+        } else if *word == "#y=" {
+            writer.plain("#");
+            writer.choice(&["x", "y", "z"]);
+            writer.plain("=");
+        } else if Base::ALL.iter().any(|(_, base)| base == word) {
+            writer.choice(&Base::ALL.iter().map(|(_, base)| *base).collect::<Vec<_>>());
+        } else if word.chars().all(char::is_alphanumeric) {
+            writer.stop(word);
+        } else {
+            writer.plain(word);
+        }
+    }
+    writer.text
+}
+
+/// A value that does no harm where nothing else is put in its place.
+fn usual(form: Form, field: usize) -> String {
+    let value = match form {
+        Form::Scale => 1.0,
+        Form::Rotate => return "pi".to_owned(),
+        Form::Light => [0.0, 5.0, 5.0, 1.0, 1.0, 1.0].get(field).copied().unwrap_or_default(),
+        Form::Material => {
+            let m = DEFAULT_MATERIAL;
+            let rest = [m.ambient, m.diffuse, m.specular, m.reflect, m.refract, m.index, m.shiny];
+            let [r, g, b] = m.colour.to_array();
+            rest.into_iter().chain([r, g, b]).nth(field).unwrap_or_default()
+        }
+        _ => 0.0,
+    };
+    figure(value)
+}
+
+/// The values of a form with what they mean.
+fn fields_of(row: &FormInfo) -> String {
+    let fields = row.fields.iter().enumerate();
+    let lines = fields.map(|(number, field)| format!("- {} {}", code(field), meaning(row.form, number)));
+    let lines: Vec<_> = lines.collect();
+    lines.join("\n")
+}
+
+/// Writes a snippet in the syntax that editors share.
+pub(super) struct Writer {
+    pub(super) text: String,
+    stops: u32,
+}
+
+impl Writer {
+    pub(super) const fn new() -> Self {
+        Self {
+            text: String::new(),
+            stops: 0,
+        }
+    }
+
+    /// Text as it is.
+    pub(super) fn plain(&mut self, text: &str) {
+        self.text.push_str(&escaped(text, &['\\', '$', '}']));
+    }
+
+    /// A place to fill in, with what stands there at first.
+    pub(super) fn stop(&mut self, text: &str) {
+        self.stops += 1;
+        let text = escaped(text, &['\\', '$', '}']);
+        self.text.push_str(&format!("${{{}:{text}}}", self.stops));
+    }
+
+    /// A place with a choice.
+    pub(super) fn choice(&mut self, words: &[&str]) {
+        self.stops += 1;
+        let words: Vec<_> = words
+            .iter()
+            .map(|word| escaped(word, &['\\', '$', '}', ',', '|']))
+            .collect();
+        self.text.push_str(&format!("${{{}|{}|}}", self.stops, words.join(",")));
+    }
+}
+
+fn escaped(text: &str, special: &[char]) -> String {
+    let mut safe = String::with_capacity(text.len());
+    for character in text.chars() {
+        if special.contains(&character) {
+            safe.push('\\');
+        }
+        safe.push(character);
+    }
+    safe
+}

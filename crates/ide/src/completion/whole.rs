@@ -1,0 +1,78 @@
+//! Whole lines: statements, names to go on with, and settings that are still missing.
+
+use scenec_scene::SettingInfo;
+use scenec_syntax::Space;
+
+use super::form::Writer;
+use super::{Completion, CompletionKind, Cursor};
+use crate::settings::usual;
+use crate::words::figure;
+
+impl Cursor<'_> {
+    /// What a line may begin with.
+    pub(super) fn line_start(&self) -> Vec<Completion> {
+        if self.more {
+            return self.names(Space::Variable);
+        }
+        let missing = self.document.missing_settings(true);
+        let mut list = Vec::new();
+        if missing.len() > 1 {
+            list.push(self.all(&missing));
+        }
+        list.extend(missing.iter().map(|row| self.setting(row)));
+        list.extend(self.statements());
+        list.extend(
+            self.document
+                .missing_settings(false)
+                .into_iter()
+                .map(|row| self.setting(row)),
+        );
+        list.extend(self.names(Space::Variable));
+        list
+    }
+
+    /// The names of a space behind its sigil at the start of a line.
+    pub(super) fn subjects(&self, space: Space) -> Vec<Completion> {
+        self.names(space)
+    }
+
+    fn setting(&self, row: &SettingInfo) -> Completion {
+        let mut writer = Writer::new();
+        assign(&mut writer, row);
+        let default = row
+            .default
+            .map(|value| format!("; {} if it is not given", figure(value)));
+        Completion {
+            detail: row.meaning.to_owned(),
+            documentation: format!("Holds {}{}.", row.range.words(), default.unwrap_or_default()),
+            insert: writer.text,
+            snippet: true,
+            ..self.item(CompletionKind::Setting, row.name)
+        }
+    }
+
+    /// One item for everything that is missing.
+    fn all(&self, missing: &[&SettingInfo]) -> Completion {
+        let mut writer = Writer::new();
+        for row in missing {
+            if !writer.text.is_empty() {
+                writer.text.push('\n');
+            }
+            assign(&mut writer, row);
+        }
+        let names: Vec<_> = missing.iter().map(|row| format!("`{}`", row.name)).collect();
+        Completion {
+            detail: format!("the {} settings that this file does not give", missing.len()),
+            documentation: names.join(", "),
+            insert: writer.text,
+            snippet: true,
+            ..self.item(CompletionKind::Setting, "all missing settings")
+        }
+    }
+}
+
+fn assign(writer: &mut Writer, row: &SettingInfo) {
+    writer.plain(row.name);
+    writer.plain(" := ");
+    writer.stop(&figure(usual(row)));
+}

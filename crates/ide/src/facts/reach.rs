@@ -1,0 +1,105 @@
+//! Which objects the submitted one is made of, and whose materials show in it.
+
+use scenec_interpret::{DefinitionId, Role};
+use scenec_syntax::Statement;
+use scenec_text::Span;
+
+use super::Facts;
+use crate::Document;
+
+/// How the submitted object takes what a definition made. One object may be taken more than once, as it stood each time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Taken {
+    /// The last statement that takes it: the edits after that are lost.
+    pub(crate) last: Span,
+    /// Whether the material that it had itself shows somewhere.
+    pub(crate) bare: bool,
+    /// A material set of a combination around it that hides its own.
+    pub(crate) painted: Option<Span>,
+    /// The same two for what it is made of.
+    inside: Light,
+}
+
+/// Which materials show through from further in.
+#[derive(Clone, Copy, Debug, Default)]
+struct Light {
+    bare: bool,
+    painted: Option<Span>,
+}
+
+/// From the submission back: combinations stand behind what they take.
+pub(super) fn of(document: &Document, facts: &Facts) -> Vec<Option<Taken>> {
+    let symbols = &document.interpretation().symbols;
+    let mut taken = vec![None; symbols.definitions().len()];
+    let Some(submission) = facts.submission else {
+        return taken;
+    };
+    let whole = Light {
+        bare: true,
+        painted: None,
+    };
+    take(document, facts, &mut taken, submission.object, submission.line, whole);
+    for index in (0..taken.len()).rev() {
+        let (Some(Some(here)), Some(definition)) = (taken.get(index).copied(), symbols.definitions().get(index)) else {
+            continue;
+        };
+        let line = definition.line;
+        let Some((Statement::Combination { .. }, _)) = document.statement_at(line.start) else {
+            continue;
+        };
+        let Taken { inside, .. } = here;
+        for operand in document.places_on(line).iter().filter(|place| place.role == Role::Use) {
+            if let Some(id) = operand.definition {
+                take(document, facts, &mut taken, id, line, inside);
+            }
+        }
+    }
+    taken
+}
+
+/// Notes that the statement at `by` takes what a definition made, as it stood there.
+fn take(document: &Document, facts: &Facts, taken: &mut [Option<Taken>], id: DefinitionId, by: Span, light: Light) {
+    let inside = match own_paint(document, facts, id, by) {
+        Some(painted) => Light {
+            bare: false,
+            painted: Some(light.painted.unwrap_or(painted)),
+        },
+        None => light,
+    };
+    let Some(place) = taken.get_mut(id.index()) else {
+        return;
+    };
+    let before = place.unwrap_or(Taken {
+        last: by,
+        bare: false,
+        painted: None,
+        inside: Light::default(),
+    });
+    *place = Some(Taken {
+        last: if by.start > before.last.start { by } else { before.last },
+        bare: before.bare || light.bare,
+        painted: before.painted.or(light.painted),
+        inside: Light {
+            bare: before.inside.bare || inside.bare,
+            painted: before.inside.painted.or(inside.painted),
+        },
+    });
+}
+
+/// The last material set of a combination before it is taken.
+fn own_paint(document: &Document, facts: &Facts, id: DefinitionId, by: Span) -> Option<Span> {
+    let line = document.definition_of(id)?.line;
+    let (Statement::Combination { .. }, _) = document.statement_at(line.start)? else {
+        return None;
+    };
+    let edits = facts
+        .edits(document, id)
+        .rev()
+        .filter(|edit| edit.span.start < by.start);
+    edits
+        .filter_map(|edit| document.statement_at(edit.span.start))
+        .find(|(statement, line)| {
+            matches!(statement, Statement::MaterialSet { .. }) && document.used_on(*line).is_some()
+        })
+        .map(|(_, line)| line)
+}

@@ -1,0 +1,169 @@
+//! Values: what each is called and means where it stands, and variables with the settings among them.
+
+use std::fmt::Write;
+
+use scenec_interpret::DefinitionId;
+use scenec_scene::{SettingInfo, setting};
+use scenec_syntax::{Form, Token};
+use scenec_text::Span;
+
+use super::{Place, Said, material};
+use crate::fields::meaning;
+use crate::look::{Shape, Spot};
+use crate::words::{angle, code, degrees, figure};
+
+impl Place<'_> {
+    /// The value that the token is part of.
+    pub(super) fn value(&self, shape: &Shape<'_>) -> Option<(Span, Said)> {
+        let form = shape.form()?;
+        let mut spots = shape.values().into_iter().enumerate();
+        let inside = |spot: &Spot| spot.span.start <= self.piece.span.start && self.piece.span.end <= spot.span.end;
+        let (number, spot) = spots.find(|(_, spot)| inside(spot))?;
+        let field = form.info().fields.get(number)?;
+        let is_name = spot.piece.token == Token::Name && self.document.words(spot.piece.span) != "pi";
+        let value = self.amount(number, &spot);
+        let mut markdown = if form == Form::Variable {
+            self.assigned(shape, value)
+        } else {
+            let amount = value.map_or(String::new(), |value| format!(" = {}", figure(value)));
+            format!("**{}**{amount}: {}", code(field), meaning(form, number))
+        };
+        if form == Form::Rotate || self.is_angle(shape) {
+            markdown.push_str(&value.map_or(String::new(), in_degrees));
+        }
+        if is_name {
+            let id = self.bound(spot.piece.span);
+            let _ = write!(markdown, "\n\n{}", self.variable(spot.piece.span, id));
+        }
+        let mut said = Said::from(markdown);
+        if form == Form::Material
+            && let Some(whole) = self.own_material()
+        {
+            let _ = write!(said.markdown, "\n\n---\n\n{}", material::table(&whole));
+            said.ball = Some(whole);
+        }
+        Some((spot.span, said))
+    }
+
+    /// What a value is bound to by its line, or what it is by itself where the line fits no statement.
+    fn amount(&self, number: usize, spot: &Spot) -> Option<f64> {
+        let statement = self.document.statement_at(self.piece.span.start);
+        if let Some((statement, _)) = statement {
+            return self.document.number(statement.values().get(number)?);
+        }
+        let word = self.document.words(spot.piece.span);
+        let size = match spot.piece.token {
+            Token::Number => word.parse().ok().filter(|value: &f64| value.is_finite())?,
+            Token::Name if word == "pi" => std::f64::consts::PI,
+            Token::Name => self.document.facts().value(self.bound(spot.piece.span)?)?,
+            _ => return None,
+        };
+        let minus = self.document.words(spot.span).starts_with('-');
+        Some(if minus { -size } else { size })
+    }
+
+    /// What the variable at a name is bound to.
+    fn bound(&self, word: Span) -> Option<DefinitionId> {
+        let document = self.document;
+        if let Some(place) = document.occurrence(word) {
+            return place.definition;
+        }
+        let symbol = document.symbol(scenec_syntax::Space::Variable, document.words(word))?;
+        document.binding(symbol, self.look.line.start)
+    }
+
+    fn own_material(&self) -> Option<scenec_scene::Material> {
+        let (_, line) = self.document.statement_at(self.piece.span.start)?;
+        self.document.material(self.document.defined_by(line)?)
+    }
+
+    fn is_angle(&self, shape: &Shape<'_>) -> bool {
+        shape.form() == Some(Form::Variable) && shape.name.is_some_and(|name| self.document.words(name) == "fov")
+    }
+
+    /// The value of a variable's statement.
+    fn assigned(&self, shape: &Shape<'_>, value: Option<f64>) -> String {
+        let name = shape.name.map_or("", |name| self.document.words(name));
+        match setting(name) {
+            Some(row) => described(row, name, value),
+            None => {
+                let amount = value.map_or(String::new(), |value| format!(" = {}", figure(value)));
+                format!("**variable** {}{amount}", code(name))
+            }
+        }
+    }
+
+    /// A variable by its name.
+    pub(super) fn variable(&self, name: Span, id: Option<DefinitionId>) -> String {
+        let word = self.document.words(name);
+        let value = id.and_then(|id| self.document.facts().value(id));
+        let mut text = match setting(word) {
+            Some(row) => described(row, word, value),
+            None => {
+                let amount = value.map_or(String::new(), |value| format!(" = {}", figure(value)));
+                format!("**variable** {}{amount}", code(word))
+            }
+        };
+        if word == "pi" {
+            return "**constant** `pi` = 3.141592653589793, half a turn".to_owned();
+        }
+        let line = id
+            .and_then(|id| self.document.definition_of(id))
+            .map(|found| found.line);
+        match line {
+            Some(line) if self.look.line.start <= line.start && line.end <= self.look.line.end => {}
+            Some(line) => {
+                let number = self.document.line_number(line.start);
+                let _ = write!(text, "\n\n{} on line {number}", code(self.document.words(line)));
+            }
+            None => text.push_str("\n\nNothing gives this name a value before this line."),
+        }
+        if setting(word).is_none()
+            && let Some(value) = value
+            && let Some(id) = id
+            && self.turns(id)
+        {
+            text.push_str(&in_degrees(value));
+        }
+        text
+    }
+
+    /// Whether a rotation reads this definition.
+    fn turns(&self, id: DefinitionId) -> bool {
+        let uses = self.document.facts().uses(self.document, id).take(16);
+        let mut forms = uses.filter_map(|place| self.document.statement_at(place.span.start));
+        forms.any(|(statement, _)| statement.form() == Form::Rotate)
+    }
+}
+
+/// A setting: its meaning, what it may hold, its default and its value.
+fn described(row: &SettingInfo, word: &str, value: Option<f64>) -> String {
+    let amount = value.map_or(String::new(), |value| format!(" = {}", figure(value)));
+    let given = match row.default {
+        Some(default) => format!("default {}", angle_or_figure(row, default)),
+        None => "every file must give it".to_owned(),
+    };
+    let alias = row.alias.map_or(String::new(), |alias| {
+        let other = if alias == word { row.name } else { alias };
+        format!("; also written `{other}`")
+    });
+    format!(
+        "**setting** {}{amount}: {}\n\nHolds {}; {given}{alias}.",
+        code(word),
+        row.meaning,
+        row.range.words()
+    )
+}
+
+fn angle_or_figure(row: &SettingInfo, value: f64) -> String {
+    if row.name == "fov" { angle(value) } else { figure(value) }
+}
+
+fn in_degrees(radians: f64) -> String {
+    let (multiple, degrees) = (angle(radians), degrees(radians));
+    if multiple == degrees {
+        format!("\n\n{} radians = {degrees}", figure(radians))
+    } else {
+        format!("\n\n{} radians = {multiple} = {degrees}", figure(radians))
+    }
+}

@@ -1,0 +1,129 @@
+//! What the editor writes between the words: the names of values, angles, and where an object ends up.
+
+use scenec_interpret::{DefinitionId, Occurrence};
+use scenec_syntax::{Content, Form, Statement, Value, ValueKind};
+use scenec_text::Span;
+
+use crate::Document;
+use crate::fields::{meaning, name};
+use crate::solid::{Shape, Standing};
+use crate::words::{angle, degrees, figure, triple};
+
+/// A few words that stand between those of the text.
+#[derive(Clone, PartialEq, Debug)]
+pub struct InlayHint {
+    /// Where it stands.
+    pub offset: u32,
+    /// The words.
+    pub label: String,
+    /// What they tell.
+    pub kind: InlayKind,
+    /// More about it, in Markdown; may be empty.
+    pub tooltip: String,
+}
+
+/// What an inlay hint tells.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum InlayKind {
+    /// What the value behind it is.
+    Parameter,
+    /// What the value before it amounts to.
+    Angle,
+    /// Where the object of the line before it is.
+    Position,
+}
+
+/// The hints of the lines that a span touches, in order.
+#[must_use]
+pub fn inlay_hints(document: &Document, span: Span) -> Vec<InlayHint> {
+    let first = document.lines().partition_point(|line| line.span.end < span.start);
+    let lines = document.lines().get(first..).unwrap_or_default();
+    let mut hints = Vec::new();
+    for line in lines.iter().take_while(|line| line.span.start <= span.end) {
+        if let Content::Statement(statement) = &line.content {
+            fields(statement, &mut hints);
+            hints.extend(turn(document, statement));
+            hints.extend(position(document, statement, line.span));
+        }
+    }
+    hints
+}
+
+/// The names of the values of materials and lights.
+fn fields(statement: &Statement, hints: &mut Vec<InlayHint>) {
+    let form = statement.form();
+    if !matches!(form, Form::Material | Form::Light) {
+        return;
+    }
+    hints.extend(statement.values().iter().enumerate().map(|(number, value)| InlayHint {
+        offset: value.span.start,
+        label: format!("{}:", name(form, number)),
+        kind: InlayKind::Parameter,
+        tooltip: meaning(form, number).to_owned(),
+    }));
+}
+
+/// The angle of a rotation or of the field of view, where it is not written with `pi` already.
+fn turn(document: &Document, statement: &Statement) -> Option<InlayHint> {
+    let value: &Value = match statement {
+        Statement::Rotate { angle, .. } => angle,
+        Statement::Variable { name, value } if document.words(*name) == "fov" => value,
+        _ => return None,
+    };
+    let radians = document.number(value).filter(|radians| *radians != 0.0)?;
+    (value.kind != ValueKind::Pi).then(|| InlayHint {
+        offset: value.span.end,
+        label: format!(" = {}", angle(radians)),
+        kind: InlayKind::Angle,
+        tooltip: format!("{} radians, {}", figure(radians), degrees(radians)),
+    })
+}
+
+/// Where an object is: behind the last of several transforms, and at the submission.
+fn position(document: &Document, statement: &Statement, line: Span) -> Option<InlayHint> {
+    let place = document.places_on(line).first()?;
+    let id = place.definition?;
+    let standing = match statement.form() {
+        Form::Submit => Standing::of(document, id, line.start)?,
+        form if is_transform(form) => {
+            let moves = |edit: &&Occurrence| {
+                let found = document.statement_at(edit.span.start);
+                found.is_some_and(|(statement, _)| is_transform(statement.form()))
+            };
+            let last = document.facts().edits(document, id).rev().find(moves)?;
+            if last.span != place.span {
+                return None;
+            }
+            let whole = Standing::of(document, id, u32::MAX)?;
+            let (last, _) = whole.steps.last().filter(|_| whole.steps.len() > 1)?;
+            if *last != line {
+                return None;
+            }
+            whole
+        }
+        _ => return None,
+    };
+    let label = match standing.shape() {
+        Some(Shape::Ball { centre, .. }) => format!(" at {}", triple(centre)),
+        Some(Shape::Half { point, normal }) => format!(" through {}, facing {}", triple(point), triple(normal)),
+        None => parts(document, id),
+    };
+    Some(InlayHint {
+        offset: line.end,
+        label,
+        kind: InlayKind::Position,
+        tooltip: String::new(),
+    })
+}
+
+const fn is_transform(form: Form) -> bool {
+    matches!(form, Form::Scale | Form::Rotate | Form::Translate)
+}
+
+fn parts(document: &Document, id: DefinitionId) -> String {
+    match document.facts().leaves(id) {
+        u64::MAX => " base objects without number".to_owned(),
+        1 => " 1 base object".to_owned(),
+        count => format!(" {count} base objects"),
+    }
+}
