@@ -119,3 +119,82 @@ fn short(part: f64) -> String {
         .find(|text| text.parse::<f64>().is_ok_and(|read| bytes([read; 3]) == wanted))
         .unwrap_or_else(|| format!("{part:.4}"))
 }
+
+#[cfg(test)]
+mod tests {
+    use scenec_text::SourceFile;
+
+    use super::{colour_edits, colours};
+    use crate::Document;
+    use crate::marked::marked;
+
+    /// Gives every swatch, the last one first, the colour `wanted`; where that is refused nothing happens.
+    fn check(text: &str, wanted: [f64; 3], expect: &str) {
+        let (document, _) = marked(text);
+        let mut edited = text.to_owned();
+        for swatch in colours(&document).into_iter().rev() {
+            let mut edits = colour_edits(&document, swatch.span, wanted).unwrap_or_default();
+            edits.sort_by_key(|edit| edit.span.start);
+            for edit in edits.iter().rev() {
+                edited.replace_range(edit.span.range(), &edit.text);
+            }
+        }
+        assert_eq!(edited, expect, "{text:?}");
+    }
+
+    #[test]
+    fn edits_write_short_numbers_and_keep_the_rest() {
+        let wanted = [0.5, 0.2, 2.0];
+        check(
+            "?m := 1 2 3 4 5 6 7  0.1\t9 1. / c",
+            wanted,
+            "?m := 1 2 3 4 5 6 7  0.5\t0.2 1. / c",
+        );
+        check("*l := 1 2 3 4 5 6\r\n", wanted, "*l := 1 2 3 0.5 0.2 6\r\n");
+        check(
+            "?m := 1 2 3 4 5 6 7 -1 0 pi",
+            [0.0, 0.002, 0.123456],
+            "?m := 1 2 3 4 5 6 7 -1 0.002 0.12",
+        );
+        check("!a := sphere\nx := 1\n", wanted, "!a := sphere\nx := 1\n");
+        check("?m := 1 2 3 4 5 6 7 8 9", wanted, "?m := 1 2 3 4 5 6 7 8 9");
+    }
+
+    #[test]
+    fn the_ambient_light_is_one_colour_of_three_lines() {
+        check(
+            "ambient_b := 1\nambient_r := 0\nambient_g := 0\nambient_r := 0.2 / last",
+            [0.5, 0.25, 0.75],
+            "ambient_b := 0.75\nambient_r := 0\nambient_g := 0.25\nambient_r := 0.5 / last",
+        );
+        check(
+            "ambient_b := 1\nambient_r := 0",
+            [0.5; 3],
+            "ambient_b := 1\nambient_r := 0",
+        );
+    }
+
+    #[test]
+    fn a_variable_is_shown_and_never_rewritten() {
+        let text = "red := 0.5\n?m := 1 2 3 4 5 6 7 red 0 -0.2";
+        let document = Document::new(SourceFile::new("t", text).unwrap());
+        let found = colours(&document);
+        assert_eq!(found.len(), 1);
+        assert_eq!(
+            (found[0].colour, found[0].span.of(text)),
+            ([0.5, 0.0, 0.0], "red 0 -0.2")
+        );
+        check(text, [0.1; 3], text);
+        check("?m := 1 2 3 4 5 6 7 red 0 0", [0.1; 3], "?m := 1 2 3 4 5 6 7 red 0 0");
+    }
+
+    #[test]
+    fn every_8_bit_value_comes_back_from_at_most_four_digits() {
+        for byte in 0..=255_u8 {
+            let text = super::short(f64::from(byte) / 255.0);
+            let read: f64 = text.parse().unwrap();
+            assert_eq!(super::bytes([read; 3])[0], byte, "{text}");
+            assert!(text.len() <= 6, "{text}");
+        }
+    }
+}

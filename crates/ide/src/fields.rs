@@ -1,7 +1,7 @@
 //! What each value of a statement is called and means.
 
 use scenec_scene::MATERIAL_FIELDS;
-use scenec_syntax::Form;
+use scenec_syntax::{Form, Token};
 
 /// What a value of a form, or a name that it takes, means.
 pub(crate) fn meaning(form: Form, number: usize) -> &'static str {
@@ -30,6 +30,16 @@ pub(crate) fn meaning(form: Form, number: usize) -> &'static str {
         ],
     };
     words.get(number).copied().unwrap_or_default()
+}
+
+/// A form as the manual writes it, about the axis of this operator where it is a rotation.
+pub(crate) fn label(form: Form, operator: Token) -> String {
+    let text = form.info().text;
+    match operator {
+        Token::RotateX => text.replace("#y", "#x"),
+        Token::RotateZ => text.replace("#y", "#z"),
+        _ => text.to_owned(),
+    }
 }
 
 /// What a value of a form is called.

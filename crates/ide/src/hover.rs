@@ -120,8 +120,11 @@ impl Place<'_> {
         match space {
             Space::Variable => Some(self.variable(name, id).into()),
             Space::Light => other::light(self.document, name, id).map(Said::from),
-            Space::Material => Some(material::said(self.document, name, id)),
+            Space::Material => Some(material::said(self.document, name, id, place)),
             Space::Object => Some(object::said(self.document, name, id, place).into()),
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,7 @@
 //! What the editor writes between the words: the names of values, angles, and where an object ends up.
 
 use scenec_interpret::{DefinitionId, Occurrence};
+use scenec_scene::{SettingRange, setting};
 use scenec_syntax::{Content, Form, Statement, Value, ValueKind};
 use scenec_text::Span;
 
@@ -67,7 +68,7 @@ fn fields(statement: &Statement, hints: &mut Vec<InlayHint>) {
 fn turn(document: &Document, statement: &Statement) -> Option<InlayHint> {
     let value: &Value = match statement {
         Statement::Rotate { angle, .. } => angle,
-        Statement::Variable { name, value } if document.words(*name) == "fov" => value,
+        Statement::Variable { name, value } if is_angle(document.words(*name)) => value,
         _ => return None,
     };
     let radians = document.number(value).filter(|radians| *radians != 0.0)?;
@@ -116,6 +117,10 @@ fn position(document: &Document, statement: &Statement, line: Span) -> Option<In
     })
 }
 
+fn is_angle(variable: &str) -> bool {
+    setting(variable).is_some_and(|row| row.range == SettingRange::Angle)
+}
+
 const fn is_transform(form: Form) -> bool {
     matches!(form, Form::Scale | Form::Rotate | Form::Translate)
 }
@@ -125,5 +130,67 @@ fn parts(document: &Document, id: DefinitionId) -> String {
         u64::MAX => " base objects without number".to_owned(),
         1 => " 1 base object".to_owned(),
         count => format!(" {count} base objects"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use scenec_text::Span;
+
+    use super::inlay_hints;
+    use crate::marked::marked;
+
+    /// Compares the text with its hints written into it, each in angle quotes.
+    fn check(text: &str, expect: &str) {
+        let (document, _) = marked(text);
+        let mut found = text.to_owned();
+        for hint in inlay_hints(&document, Span::new(0, u32::MAX)).iter().rev() {
+            found.insert_str(hint.offset as usize, &format!("‹{}›", hint.label));
+        }
+        assert_eq!(found, expect, "{text:?}");
+    }
+
+    #[test]
+    fn values_of_materials_and_lights_are_named() {
+        check("*l := 1 2 -x 4 5 6", "*l := ‹a:›1 ‹b:›2 ‹c:›-x ‹r:›4 ‹g:›5 ‹b:›6");
+        check(
+            "?m := 1 2 3 4 5 6 7 8 9 0",
+            "?m := ‹ambref:›1 ‹diffref:›2 ‹specref:›3 ‹rflec:›4 ‹rfrac:›5 ‹rfracind:›6 ‹shiny:›7 ‹r:›8 ‹g:›9 ‹b:›0",
+        );
+        check("?m := 1 2 3", "?m := 1 2 3");
+    }
+
+    #[test]
+    fn angles_are_told() {
+        check(
+            "!a := hp\n!a #x= 1.5707963267948966",
+            "!a := hp\n!a #x= 1.5707963267948966‹ = pi/2›",
+        );
+        check("t := -0.5\n!a #x= -t", "t := -0.5\n!a #x= -t‹ = 28.6°›");
+        check("fov := 1 / wide", "fov := 1‹ = 57.3°› / wide");
+        check("!a #z= pi", "!a #z= pi");
+        check("!a #z= 0", "!a #z= 0");
+        check("!a #z= q", "!a #z= q");
+    }
+
+    #[test]
+    fn an_object_is_where_its_transforms_brought_it() {
+        check("!a := sphere\n!a += 1 0 0", "!a := sphere\n!a += 1 0 0");
+        check(
+            "!a := sphere\n!a += 1 0 0\n!a *= 2 2 2\n!a ?= m\n!a <= / c",
+            "!a := sphere\n!a += 1 0 0\n!a *= 2 2 2‹ at (2, 0, 0)›\n!a ?= m\n!a <=‹ at (2, 0, 0)› / c",
+        );
+        check(
+            "!a := hp\n!a #z= pi\n!a += 0 3 0",
+            "!a := hp\n!a #z= pi\n!a += 0 3 0‹ through (0, 3, 0), facing (0, -1, 0)›",
+        );
+        check(
+            "!a := sphere\n!a += 1 0 0\n!a *= 2 2 2\n!a += q 0 0",
+            "!a := sphere\n!a += 1 0 0\n!a *= 2 2 2\n!a += q 0 0",
+        );
+        check(
+            "!a := hp\n!b := a | a\n!b := b & b\n!b <=",
+            "!a := hp\n!b := a | a\n!b := b & b\n!b <=‹ 4 base objects›",
+        );
     }
 }

@@ -59,6 +59,12 @@ impl Look {
         self.comment.is_some_and(|start| offset > start)
     }
 
+    /// Whether the cursor is in or just behind a number.
+    pub(crate) fn is_typing_number(&self, offset: u32) -> bool {
+        let mut pieces = self.pieces.iter();
+        pieces.any(|piece| piece.token == Token::Number && piece.span.start < offset && offset <= piece.span.end)
+    }
+
     /// The token at an offset; of two that touch there, the word rather than the sign.
     pub(crate) fn piece_at(&self, offset: u32) -> Option<Piece> {
         let touching = |piece: &&Piece| piece.span.start <= offset && offset <= piece.span.end;
@@ -127,34 +133,29 @@ impl<'a> Shape<'a> {
     /// The values behind the operator. A token that is no value stands for one all the same, since others are counted
     /// from the left.
     pub(crate) fn values(&self) -> Vec<Spot> {
-        let mut spots = Vec::new();
+        let mut spots: Vec<Spot> = Vec::new();
         let mut sign: Option<Piece> = None;
         for piece in self.tail.iter().copied() {
-            let is_sign = matches!(piece.token, Token::Plus | Token::Minus);
-            if let Some(before) = sign.take() {
-                let (span, piece) = if is_sign {
-                    (before.span, before)
-                } else {
-                    (before.span.to(piece.span), piece)
-                };
-                spots.push(Spot { span, piece });
-                if is_sign {
-                    sign = Some(piece);
-                }
-            } else if is_sign {
+            let before = sign.take();
+            if matches!(piece.token, Token::Plus | Token::Minus) {
+                spots.extend(before.map(Spot::from));
                 sign = Some(piece);
             } else {
-                spots.push(Spot {
-                    span: piece.span,
-                    piece,
-                });
+                let span = before.map_or(piece.span, |sign| sign.span.to(piece.span));
+                spots.push(Spot { span, piece });
             }
         }
-        spots.extend(sign.map(|piece| Spot {
+        spots.extend(sign.map(Spot::from));
+        spots
+    }
+}
+
+impl From<Piece> for Spot {
+    fn from(piece: Piece) -> Self {
+        Self {
             span: piece.span,
             piece,
-        }));
-        spots
+        }
     }
 }
 
@@ -208,6 +209,7 @@ mod tests {
         check("!a := ", Some(Form::Object), &[]);
         check("!a := b | ", Some(Form::Combination), &["b", "|"]);
         check("!a += - 1 -x 3 / 4", Some(Form::Translate), &["- 1", "-x", "3"]);
+        check("!a += 1 - - 2", Some(Form::Translate), &["1", "-", "- 2"]);
         check("!a += 1 - -", Some(Form::Translate), &["1", "-", "-"]);
         check("?m := 1 $ 3", Some(Form::Material), &["1", "$", "3"]);
         check("x := pi", Some(Form::Variable), &["pi"]);

@@ -1,10 +1,11 @@
 //! The settings of a document: what each is given as, and what a new scene would say.
 
 use scenec_interpret::DefinitionId;
-use scenec_scene::{SETTINGS, SettingInfo};
+use scenec_scene::{SETTINGS, SettingInfo, SettingRange};
 use scenec_syntax::Space;
 
 use crate::Document;
+use crate::words::{angle, figure};
 
 /// What a setting is when a scene is begun: a picture of usual size, a camera a little above the ground that looks at
 /// the origin, and a pale sky. For an optional one it is the default.
@@ -22,6 +23,15 @@ pub(crate) fn usual(row: &SettingInfo) -> f64 {
         "ambient_b" | "ambient_int_r" | "ambient_int_g" | "ambient_int_b" => 1.0,
         "raydepth" => 4.0,
         _ => 0.0,
+    }
+}
+
+/// A value of a setting in words: an angle as one.
+pub(crate) fn spoken(row: &SettingInfo, value: f64) -> String {
+    if row.range == SettingRange::Angle {
+        angle(value)
+    } else {
+        figure(value)
     }
 }
 

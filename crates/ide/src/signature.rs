@@ -1,9 +1,9 @@
 //! Which of a statement's values the cursor is in, on half a line too.
 
-use scenec_syntax::{Form, Token};
+use scenec_syntax::Form;
 
 use crate::Document;
-use crate::fields::meaning;
+use crate::fields::{label, meaning};
 use crate::look::{Look, Shape};
 
 /// A statement's form with its parts.
@@ -47,15 +47,6 @@ pub fn signature(document: &Document, offset: u32) -> Option<Signature> {
         parameters,
         active: u32::try_from(active).unwrap_or(u32::MAX),
     })
-}
-
-fn label(form: Form, operator: Token) -> String {
-    let text = form.info().text;
-    match operator {
-        Token::RotateX => text.replace("#y", "#x"),
-        Token::RotateZ => text.replace("#y", "#z"),
-        _ => text.to_owned(),
-    }
 }
 
 /// The words behind the operator, signs between names aside.

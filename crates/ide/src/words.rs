@@ -47,7 +47,14 @@ pub(crate) fn figure(value: f64) -> String {
 
 /// A point or a direction.
 pub(crate) fn triple(v: DVec3) -> String {
+    let v = settled(v, v.abs().max_element());
     format!("({}, {}, {})", figure(v.x), figure(v.y), figure(v.z))
+}
+
+/// The same without what rounding leaves of a zero among numbers of this size.
+pub(crate) fn settled(v: DVec3, size: f64) -> DVec3 {
+    let part = |part: f64| if part.abs() <= size * 1e-12 { 0.0 } else { part };
+    DVec3::new(part(v.x), part(v.y), part(v.z))
 }
 
 /// Without the zeros at the end of a fraction.

@@ -8,24 +8,42 @@ use crate::fields::meaning;
 use crate::words::{code, figure};
 
 impl Cursor<'_> {
-    /// Every statement, as a snippet.
-    pub(super) fn statements(&self) -> Vec<Completion> {
-        let list = FORMS.iter().map(|row| self.statement(row, row.text, 0));
-        list.collect()
+    /// Every statement, or those about a name space, as snippets.
+    pub(super) fn statements(&self, space: Option<Space>) -> Vec<Completion> {
+        let rows = FORMS.iter().filter(|row| space.is_none_or(|space| row.space == space));
+        rows.map(|row| self.statement(row, row.text, snippet(row, 0, &AXES)))
+            .collect()
     }
 
-    /// What may follow the name that a line begins with.
+    /// What may follow the name that a line begins with: the rest of a statement, or an operator alone where something
+    /// follows already.
     pub(super) fn operators(&self, space: Space) -> Vec<Completion> {
         let rows = FORMS.iter().filter(|row| row.space == space);
-        rows.filter_map(|row| {
-            let (_, rest) = row.text.split_once(' ')?;
-            if self.more {
-                let (operator, _) = rest.split_once(' ').unwrap_or((rest, ""));
-                return Some(self.operator(row, operator));
+        let mut list: Vec<Completion> = Vec::new();
+        for row in rows {
+            let Some((_, rest)) = row.text.split_once(' ') else {
+                continue;
+            };
+            // A rotation is three operators to whoever types one.
+            let axes: &[&[&str]] = if row.form == Form::Rotate {
+                &[&["x"], &["y"], &["z"]]
+            } else {
+                &[&AXES]
+            };
+            for axis in axes {
+                let rest = rest.replace("#y=", &format!("#{}=", axis.first().unwrap_or(&"y")));
+                let operator = rest.split(' ').next().unwrap_or_default().to_owned();
+                if !self.more {
+                    list.push(self.statement(row, &rest, snippet(row, 1, axis)));
+                } else if list.iter().all(|item| item.label != operator) {
+                    list.push(Completion {
+                        detail: row.meaning.to_owned(),
+                        ..self.item(CompletionKind::Operator, operator)
+                    });
+                }
             }
-            Some(self.statement(row, rest, 1))
-        })
-        .collect()
+        }
+        list
     }
 
     /// The operators that join two objects.
@@ -44,29 +62,25 @@ impl Cursor<'_> {
             .collect()
     }
 
-    fn operator(&self, row: &FormInfo, operator: &str) -> Completion {
-        Completion {
-            detail: row.meaning.to_owned(),
-            ..self.item(CompletionKind::Operator, operator)
-        }
-    }
-
-    fn statement(&self, row: &FormInfo, text: &str, skip: usize) -> Completion {
+    fn statement(&self, row: &FormInfo, text: &str, snippet: String) -> Completion {
         Completion {
             detail: row.meaning.to_owned(),
             documentation: fields_of(row),
-            insert: snippet(row, skip),
+            insert: snippet,
             snippet: true,
             ..self.item(CompletionKind::Statement, text)
         }
     }
 }
 
+/// The axes of a rotation.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
 /// What joins two objects.
 const JOINTS: [&str; 3] = ["|", "&", "-"];
 
-/// A statement without its first words, as a snippet.
-fn snippet(row: &FormInfo, skip: usize) -> String {
+/// A statement without its first words, as a snippet; a rotation is about one of `axes`.
+fn snippet(row: &FormInfo, skip: usize, axes: &[&str]) -> String {
     let mut writer = Writer::new();
     let words: Vec<&str> = row.text.split(' ').collect();
     let first_field = words.len() - row.fields.len();
@@ -83,7 +97,7 @@ fn snippet(row: &FormInfo, skip: usize) -> String {
             writer.choice(&JOINTS);
         } else if *word == "#y=" {
             writer.plain("#");
-            writer.choice(&["x", "y", "z"]);
+            writer.choice(axes);
             writer.plain("=");
         } else if Base::ALL.iter().any(|(_, base)| base == word) {
             writer.choice(&Base::ALL.iter().map(|(_, base)| *base).collect::<Vec<_>>());
@@ -149,6 +163,9 @@ impl Writer {
 
     /// A place with a choice.
     pub(super) fn choice(&mut self, words: &[&str]) {
+        if let [word] = words {
+            return self.plain(word);
+        }
         self.stops += 1;
         let words: Vec<_> = words
             .iter()
@@ -167,4 +184,32 @@ fn escaped(text: &str, special: &[char]) -> String {
         safe.push(character);
     }
     safe
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{AXES, FORMS, Writer, snippet};
+
+    #[test]
+    fn what_a_snippet_takes_for_its_own_is_escaped() {
+        let mut writer = Writer::new();
+        writer.plain("a$b}");
+        writer.stop("c\\}");
+        writer.choice(&["x,y", "|"]);
+        assert_eq!(writer.text, "a\\$b\\}${1:c\\\\\\}}${2|x\\,y,\\||}");
+    }
+
+    #[test]
+    fn every_form_has_a_snippet_with_a_place_for_each_of_its_parts() {
+        for row in FORMS {
+            let text = snippet(row, 0, &AXES);
+            let stops = text.matches("${").count();
+            let names = row
+                .text
+                .split(' ')
+                .filter(|word| word.chars().any(char::is_alphanumeric));
+            let joints = usize::from(row.text.contains('|'));
+            assert_eq!(stops, names.count() + joints, "{text}");
+        }
+    }
 }

@@ -104,7 +104,7 @@ impl Cursor<'_> {
         let name = shape.name.map_or("", |name| self.document.words(name));
         let usual = setting(name).map(|row| Completion {
             detail: format!("{}, {}", row.meaning, row.range.words()),
-            ..self.item(CompletionKind::Constant, figure(usual(row)))
+            ..self.item(CompletionKind::Constant, usual(row).to_string())
         });
         usual.into_iter().chain(self.values()).collect()
     }

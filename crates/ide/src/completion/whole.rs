@@ -5,22 +5,25 @@ use scenec_syntax::Space;
 
 use super::form::Writer;
 use super::{Completion, CompletionKind, Cursor};
-use crate::settings::usual;
-use crate::words::figure;
+use crate::settings::{spoken, usual};
 
 impl Cursor<'_> {
     /// What a line may begin with.
     pub(super) fn line_start(&self) -> Vec<Completion> {
-        if self.more {
-            return self.names(Space::Variable);
-        }
         let missing = self.document.missing_settings(true);
+        if self.more {
+            let settings = missing.iter().map(|row| Completion {
+                detail: row.meaning.to_owned(),
+                ..self.item(CompletionKind::Setting, row.name)
+            });
+            return settings.chain(self.names(Space::Variable)).collect();
+        }
         let mut list = Vec::new();
         if missing.len() > 1 {
             list.push(self.all(&missing));
         }
         list.extend(missing.iter().map(|row| self.setting(row)));
-        list.extend(self.statements());
+        list.extend(self.statements(None));
         list.extend(
             self.document
                 .missing_settings(false)
@@ -31,9 +34,19 @@ impl Cursor<'_> {
         list
     }
 
-    /// The names of a space behind its sigil at the start of a line.
+    /// What may stand behind a sigil at the start of a line: a name, or a whole statement with the sigil.
     pub(super) fn subjects(&self, space: Space) -> Vec<Completion> {
-        self.names(space)
+        let mut list = self.names(space);
+        if !self.more
+            && let Some(sigil) = self.before.first()
+        {
+            let whole = self.statements(Some(space)).into_iter();
+            list.extend(whole.map(|item| Completion {
+                replace: sigil.span.to(self.replace),
+                ..item
+            }));
+        }
+        list
     }
 
     fn setting(&self, row: &SettingInfo) -> Completion {
@@ -41,7 +54,7 @@ impl Cursor<'_> {
         assign(&mut writer, row);
         let default = row
             .default
-            .map(|value| format!("; {} if it is not given", figure(value)));
+            .map(|value| format!("; {} if it is not given", spoken(row, value)));
         Completion {
             detail: row.meaning.to_owned(),
             documentation: format!("Holds {}{}.", row.range.words(), default.unwrap_or_default()),
@@ -74,5 +87,5 @@ impl Cursor<'_> {
 fn assign(writer: &mut Writer, row: &SettingInfo) {
     writer.plain(row.name);
     writer.plain(" := ");
-    writer.stop(&figure(usual(row)));
+    writer.stop(&usual(row).to_string());
 }

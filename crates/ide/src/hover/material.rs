@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use scenec_interpret::DefinitionId;
+use scenec_interpret::{DefinitionId, Occurrence, Role};
 use scenec_scene::{MATERIAL_FIELDS, Material};
 use scenec_text::Span;
 
@@ -11,10 +11,14 @@ use crate::Document;
 use crate::words::{bytes, code, figure, hex, look};
 
 /// A material by its name.
-pub(super) fn said(document: &Document, name: Span, id: Option<DefinitionId>) -> Said {
+pub(super) fn said(document: &Document, name: Span, id: Option<DefinitionId>, place: Option<&Occurrence>) -> Said {
     let title = format!("**material** {}", code(&format!("?{}", document.words(name))));
     let Some((id, material)) = id.and_then(|id| Some((id, document.material(id)?))) else {
-        return format!("{title}\n\nNothing gives this name a value before this line.").into();
+        let why = match place.map(|place| place.role) {
+            Some(Role::Define) => "This statement defines nothing.",
+            _ => "Nothing defines a material of this name before this line.",
+        };
+        return format!("{title}\n\n{why}").into();
     };
     let mut markdown = format!("{title}\n\n{}", table(&material));
     let line = material.span.unwrap_or_default();

@@ -3,13 +3,14 @@
 use std::fmt::Write;
 
 use scenec_interpret::DefinitionId;
-use scenec_scene::{SettingInfo, setting};
+use scenec_scene::{SettingInfo, SettingRange, setting};
 use scenec_syntax::{Form, Token};
 use scenec_text::Span;
 
 use super::{Place, Said, material};
 use crate::fields::meaning;
 use crate::look::{Shape, Spot};
+use crate::settings::spoken;
 use crate::words::{angle, code, degrees, figure};
 
 impl Place<'_> {
@@ -78,7 +79,8 @@ impl Place<'_> {
     }
 
     fn is_angle(&self, shape: &Shape<'_>) -> bool {
-        shape.form() == Some(Form::Variable) && shape.name.is_some_and(|name| self.document.words(name) == "fov")
+        let row = shape.name.and_then(|name| setting(self.document.words(name)));
+        shape.form() == Some(Form::Variable) && row.is_some_and(|row| row.range == SettingRange::Angle)
     }
 
     /// The value of a variable's statement.
@@ -140,7 +142,7 @@ impl Place<'_> {
 fn described(row: &SettingInfo, word: &str, value: Option<f64>) -> String {
     let amount = value.map_or(String::new(), |value| format!(" = {}", figure(value)));
     let given = match row.default {
-        Some(default) => format!("default {}", angle_or_figure(row, default)),
+        Some(default) => format!("default {}", spoken(row, default)),
         None => "every file must give it".to_owned(),
     };
     let alias = row.alias.map_or(String::new(), |alias| {
@@ -153,10 +155,6 @@ fn described(row: &SettingInfo, word: &str, value: Option<f64>) -> String {
         row.meaning,
         row.range.words()
     )
-}
-
-fn angle_or_figure(row: &SettingInfo, value: f64) -> String {
-    if row.name == "fov" { angle(value) } else { figure(value) }
 }
 
 fn in_degrees(radians: f64) -> String {

@@ -3,14 +3,14 @@
 use std::fmt::Write;
 
 use scenec_interpret::{DefinitionId, Occurrence, Role};
-use scenec_scene::{Axis, DEFAULT_MATERIAL, DVec3, StepKind};
+use scenec_scene::{Axis, DEFAULT_MATERIAL, StepKind};
 use scenec_syntax::Statement;
 use scenec_text::{Code, Span};
 
 use super::material::summary;
 use crate::Document;
 use crate::solid::{Made, Shape, Standing};
-use crate::words::{angle, code, degrees, figure, triple};
+use crate::words::{angle, code, degrees, figure, settled, triple};
 
 /// The most lines of one kind that are listed.
 const MOST: usize = 8;
@@ -28,7 +28,11 @@ pub(super) fn said(document: &Document, name: Span, id: Option<DefinitionId>, pl
     };
     let standing = id.and_then(|id| Some((id, Standing::of(document, id, before)?)));
     let Some((id, standing)) = standing else {
-        return format!("{title}\n\nNothing makes an object of this name before this line.");
+        let why = match place.map(|place| place.role) {
+            Some(Role::Define) => "This statement makes no object.",
+            _ => "Nothing makes an object of this name before this line.",
+        };
+        return format!("{title}\n\n{why}");
     };
     let mut text = title;
     let _ = write!(text, ": {}", made(document, id, &standing));
@@ -99,7 +103,8 @@ fn whereabouts(standing: &Standing<'_>, text: &mut String) {
     match standing.shape() {
         Some(Shape::Ball { centre, reach }) => {
             let range = |low: f64, high: f64| format!("{} to {}", figure(low), figure(high));
-            let (low, high): (DVec3, DVec3) = (centre - reach, centre + reach);
+            let size = reach.max_element();
+            let (low, high) = (settled(centre - reach, size), settled(centre + reach, size));
             let _ = write!(
                 text,
                 "\n\nCentre {}; x from {}, y from {}, z from {}.",

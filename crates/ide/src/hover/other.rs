@@ -2,10 +2,11 @@
 
 use scenec_interpret::DefinitionId;
 use scenec_scene::{Base, DVec3};
-use scenec_syntax::{FORMS, Form, Statement, Token};
+use scenec_syntax::{Form, Statement, Token};
 use scenec_text::Span;
 
 use crate::Document;
+use crate::fields::label;
 use crate::look::Shape;
 use crate::words::{bytes, code, hex, triple};
 
@@ -24,8 +25,7 @@ pub(super) fn operator(shape: &Shape<'_>, token: Token) -> Option<String> {
     let form = shape
         .form()
         .filter(|_| shape.operator.map(|piece| piece.token) == Some(token))?;
-    let row = FORMS.iter().find(|row| row.form == form)?;
-    Some(format!("{}\n\n{}", code(row.text), row.meaning))
+    Some(format!("{}\n\n{}", code(&label(form, token)), form.info().meaning))
 }
 
 /// A base object by its word.
