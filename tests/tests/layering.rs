@@ -73,7 +73,7 @@ const ROOMS: &[Room] = &[
             "scenec-cpu",
             "scenec-device",
         ],
-        &["base64", "serde", "serde_json", "tokio", "tower-lsp"],
+        &["base64", "ropey", "rustix", "serde", "serde_json", "tokio", "tower-lsp"],
     ),
     room(
         "scenec",

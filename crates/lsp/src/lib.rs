@@ -1,3 +1,23 @@
 //! The language server: frames, documents and their order, one thin handler a feature, and the live preview.
 //!
 //! It must not know how statements are parsed and bound; what an editor shows comes from the features as plain data.
+
+mod abilities;
+mod convert;
+mod documents;
+mod frames;
+mod handlers;
+mod log;
+mod mend;
+mod options;
+mod orphan;
+mod publisher;
+mod pump;
+mod serve;
+mod server;
+mod settings;
+mod text;
+mod view;
+
+pub use options::{FileOptions, Options};
+pub use serve::{Ended, serve};

@@ -4,4 +4,5 @@ pub(crate) mod check;
 pub(crate) mod devices;
 pub(crate) mod explain;
 pub(crate) mod fmt;
+pub(crate) mod lsp;
 pub(crate) mod render;

@@ -37,6 +37,7 @@ enum Command {
     Render(Box<commands::render::Render>),
     Devices(commands::devices::Devices),
     Explain(commands::explain::Explain),
+    Lsp(commands::lsp::Lsp),
 }
 
 fn main() -> ExitCode {
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
         Command::Render(render) => render.run(),
         Command::Devices(devices) => devices.run(),
         Command::Explain(explain) => explain.run(),
+        Command::Lsp(lsp) => lsp.run(),
     };
     exit.into()
 }

@@ -1,0 +1,101 @@
+//! Findings, asked for or sent.
+
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+use scenec_text::{Code, Diagnostic, Severity};
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::lsp_types::{
+    self, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag, DocumentDiagnosticParams,
+    DocumentDiagnosticReport, DocumentDiagnosticReportResult, FullDocumentDiagnosticReport, NumberOrString,
+    RelatedFullDocumentDiagnosticReport, RelatedUnchangedDocumentDiagnosticReport, UnchangedDocumentDiagnosticReport,
+};
+
+use crate::server::Server;
+use crate::view::View;
+
+/// Answers with the findings of the newest text, or that they are what they were.
+///
+/// # Errors
+/// As [`Server::on`].
+pub(crate) async fn pull(server: &Server, params: DocumentDiagnosticParams) -> Result<DocumentDiagnosticReportResult> {
+    let previous = params.previous_result_id;
+    let found = server.on(&params.text_document.uri, findings).await?;
+    let (items, problem) = found.unwrap_or_default();
+    server.tell_once(problem);
+    let result_id = name(&items);
+    let report = if previous.as_ref() == Some(&result_id) {
+        DocumentDiagnosticReport::Unchanged(RelatedUnchangedDocumentDiagnosticReport {
+            related_documents: None,
+            unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport { result_id },
+        })
+    } else {
+        DocumentDiagnosticReport::Full(RelatedFullDocumentDiagnosticReport {
+            related_documents: None,
+            full_document_diagnostic_report: FullDocumentDiagnosticReport {
+                result_id: Some(result_id),
+                items,
+            },
+        })
+    };
+    Ok(DocumentDiagnosticReportResult::Report(report))
+}
+
+/// A name for findings: the same findings have the same one.
+fn name(items: &[lsp_types::Diagnostic]) -> String {
+    let mut hasher = DefaultHasher::new();
+    serde_json::to_string(items).unwrap_or_default().hash(&mut hasher);
+    format!("{:016x}", hasher.finish())
+}
+
+/// The findings of a document as its configuration weighs them, and what is wrong with that configuration.
+pub(crate) fn findings(view: &View) -> (Vec<lsp_types::Diagnostic>, Option<String>) {
+    let file = view.file_options();
+    let found = view.document.diagnostics().iter();
+    let found = found.filter_map(|found| Some(finding(view, found, (file.level)(found.code)?)));
+    (found.collect(), file.problem)
+}
+
+/// One finding as the client wants it.
+pub(crate) fn finding(view: &View, found: &Diagnostic, severity: Severity) -> lsp_types::Diagnostic {
+    let tags = tags(found);
+    let mut labels = found.labels.iter();
+    let first = labels.next().map_or("", |label| label.message.as_str());
+    let help = found.help.as_ref().map(|help| format!("help: {help}"));
+    let message = [found.message.as_str(), first, help.as_deref().unwrap_or_default()];
+    let message: Vec<&str> = message.into_iter().filter(|words| !words.is_empty()).collect();
+    let related = labels.map(|label| DiagnosticRelatedInformation {
+        location: view.location(label.span),
+        message: label.message.clone(),
+    });
+    let related: Vec<_> = related.collect();
+    lsp_types::Diagnostic {
+        range: view.range(found.span()),
+        severity: Some(match severity {
+            Severity::Error => DiagnosticSeverity::ERROR,
+            Severity::Warning => DiagnosticSeverity::WARNING,
+            Severity::Hint if tags.is_empty() => DiagnosticSeverity::INFORMATION,
+            Severity::Hint => DiagnosticSeverity::HINT,
+        }),
+        code: Some(NumberOrString::String(found.code.id().to_owned())),
+        source: Some("scenec".to_owned()),
+        message: message.join("\n"),
+        related_information: (view.abilities.related && !related.is_empty()).then_some(related),
+        tags: (view.abilities.tags && !tags.is_empty()).then_some(tags),
+        ..lsp_types::Diagnostic::default()
+    }
+}
+
+/// What is dropped, or could be, is shown faded: statements that were ignored, and those whose repair is to remove them.
+fn tags(found: &Diagnostic) -> Vec<DiagnosticTag> {
+    let ignored = matches!(
+        found.code,
+        Code::UnknownObject | Code::UnknownMaterial | Code::UnknownVariable
+    );
+    let removed = |fix: &scenec_text::Fix| fix.edits.iter().all(|edit| edit.text.is_empty());
+    let idle = ignored || (found.severity() != Severity::Error && found.fix.as_ref().is_some_and(removed));
+    if idle {
+        vec![DiagnosticTag::UNNECESSARY]
+    } else {
+        Vec::new()
+    }
+}

@@ -1,0 +1,88 @@
+//! The first words: what the client can do, what the server offers, what it asks to be told of.
+
+use serde_json::json;
+use tower_lsp::lsp_types::{
+    DiagnosticOptions, DiagnosticServerCapabilities, InitializeParams, InitializeResult, Registration,
+    ServerCapabilities, ServerInfo, TextDocumentSyncCapability, TextDocumentSyncKind, TextDocumentSyncOptions,
+    WorkDoneProgressOptions,
+};
+
+use crate::abilities::Abilities;
+use crate::handlers::settings;
+use crate::publisher::Publisher;
+use crate::server::Server;
+use crate::settings::Settings;
+
+/// Gets to know the client, and tells what the server can do.
+pub(crate) fn initialize(server: &Server, params: &InitializeParams) -> InitializeResult {
+    let abilities = Abilities::of(&params.capabilities);
+    server.meet(abilities, params.process_id);
+    if let Some(settings) = params.initialization_options.as_ref().and_then(Settings::read) {
+        server.set(settings);
+    }
+    if !abilities.pulls {
+        tokio::spawn(Publisher::run(server.clone()));
+    }
+    InitializeResult {
+        capabilities: capabilities(abilities),
+        server_info: Some(ServerInfo {
+            name: "scenec".to_owned(),
+            version: Some(env!("CARGO_PKG_VERSION").to_owned()),
+        }),
+    }
+}
+
+/// The client is ready to be asked.
+pub(crate) fn initialized(server: &Server) {
+    settings::ask(server);
+    let abilities = server.abilities();
+    let mut wishes = Vec::new();
+    if abilities.watches_files {
+        let pattern = format!("**/{}", server.options.configuration);
+        wishes.push(wish(
+            "workspace/didChangeWatchedFiles",
+            json!({"watchers": [{"globPattern": pattern}]}),
+        ));
+    }
+    if abilities.tells_settings {
+        wishes.push(wish("workspace/didChangeConfiguration", json!({"section": "scenec"})));
+    }
+    if wishes.is_empty() {
+        return;
+    }
+    let (client, log) = (server.client.clone(), server.log);
+    tokio::spawn(async move {
+        if let Err(error) = client.register_capability(wishes).await {
+            log.say(format_args!("the client will not tell of changes: {error}"));
+        }
+    });
+}
+
+fn wish(method: &str, options: serde_json::Value) -> Registration {
+    Registration {
+        id: method.to_owned(),
+        method: method.to_owned(),
+        register_options: Some(options),
+    }
+}
+
+fn capabilities(abilities: Abilities) -> ServerCapabilities {
+    let diagnostics = DiagnosticOptions {
+        identifier: Some("scenec".to_owned()),
+        inter_file_dependencies: false,
+        workspace_diagnostics: false,
+        work_done_progress_options: WorkDoneProgressOptions::default(),
+    };
+    ServerCapabilities {
+        position_encoding: Some(abilities.encoding.kind()),
+        text_document_sync: Some(TextDocumentSyncCapability::Options(TextDocumentSyncOptions {
+            open_close: Some(true),
+            change: Some(TextDocumentSyncKind::INCREMENTAL),
+            ..TextDocumentSyncOptions::default()
+        })),
+        diagnostic_provider: abilities
+            .pulls
+            .then_some(DiagnosticServerCapabilities::Options(diagnostics)),
+        ..ServerCapabilities::default()
+    }
+}

@@ -1,0 +1,232 @@
+//! The server: its state, and one line for each request that hands it to the feature's own file.
+
+use std::cell::Cell;
+use std::collections::HashSet;
+use std::fmt::Display;
+use std::sync::{Arc, Mutex, OnceLock};
+
+use tokio::sync::watch;
+use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
+use tower_lsp::lsp_types::{
+    DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidCloseTextDocumentParams,
+    DidOpenTextDocumentParams, DocumentDiagnosticParams, DocumentDiagnosticReportResult, InitializeParams,
+    InitializeResult, InitializedParams, MessageType, TextDocumentPositionParams, Url,
+};
+use tower_lsp::{Client, LanguageServer, async_trait};
+
+use crate::abilities::Abilities;
+use crate::convert::Known;
+use crate::documents::{Documents, lock};
+use crate::handlers::{self, diagnostics, greeting, synchronise};
+use crate::log::Log;
+use crate::options::Options;
+use crate::publisher::Publisher;
+use crate::settings::Settings;
+use crate::view::View;
+
+/// The state that all requests share; a copy of it is another handle.
+#[derive(Clone)]
+pub(crate) struct Server {
+    pub(crate) client: Client,
+    pub(crate) documents: Arc<Documents>,
+    pub(crate) options: Arc<Options>,
+    pub(crate) publisher: Arc<Publisher>,
+    pub(crate) log: Log,
+    settings: Arc<Mutex<Arc<Settings>>>,
+    abilities: Arc<OnceLock<Abilities>>,
+    told: Arc<Mutex<HashSet<String>>>,
+    /// Where the number of the client's process goes.
+    process: Arc<watch::Sender<Option<u32>>>,
+}
+
+impl Server {
+    /// A server that knows nothing of its client yet.
+    pub(crate) fn new(client: Client, options: Options, process: watch::Sender<Option<u32>>) -> Self {
+        Self {
+            client,
+            process: Arc::new(process),
+            log: Log { on: options.log },
+            options: Arc::new(options),
+            documents: Arc::default(),
+            publisher: Arc::default(),
+            settings: Arc::default(),
+            abilities: Arc::default(),
+            told: Arc::default(),
+        }
+    }
+
+    /// What the client can do.
+    pub(crate) fn abilities(&self) -> Abilities {
+        self.abilities.get().copied().unwrap_or_default()
+    }
+
+    /// Remembers what the client can do; the first word counts.
+    pub(crate) fn meet(&self, abilities: Abilities, process: Option<u32>) {
+        // The protocol library lets no second greeting through.
+        self.abilities.get_or_init(|| abilities);
+        self.process.send_replace(process);
+    }
+
+    /// The settings in force.
+    pub(crate) fn settings(&self) -> Arc<Settings> {
+        lock(&self.settings).clone()
+    }
+
+    /// Takes settings over. Tells whether they are other ones.
+    pub(crate) fn set(&self, settings: Settings) -> bool {
+        let mut present = lock(&self.settings);
+        let other = **present != settings;
+        *present = Arc::new(settings);
+        other
+    }
+
+    /// Does some work on the newest state of a document, off the threads that talk to the client. `None` if the document
+    /// is not open.
+    ///
+    /// # Errors
+    /// If the work panics.
+    pub(crate) async fn on<T: Send + 'static>(
+        &self,
+        url: &Url,
+        work: impl FnOnce(&View) -> T + Send + 'static,
+    ) -> Result<Option<T>> {
+        self.view(url, false, work).await
+    }
+
+    /// Does some work on the very state of a document that a request speaks of.
+    ///
+    /// # Errors
+    /// If the document was edited before it could be read, or the work panics.
+    pub(crate) async fn on_exactly<T: Send + 'static>(
+        &self,
+        url: &Url,
+        work: impl FnOnce(&View) -> T + Send + 'static,
+    ) -> Result<Option<T>> {
+        self.view(url, true, work).await
+    }
+
+    /// Does some work at a place in a document.
+    ///
+    /// # Errors
+    /// As [`Server::on_exactly`].
+    pub(crate) async fn at<T: Send + 'static>(
+        &self,
+        place: TextDocumentPositionParams,
+        work: impl FnOnce(&View, u32) -> Option<T> + Send + 'static,
+    ) -> Result<Option<T>> {
+        let position = place.position;
+        let at = move |view: &View| work(view, view.offset(position));
+        Ok(self.on_exactly(&place.text_document.uri, at).await?.flatten())
+    }
+
+    async fn view<T: Send + 'static>(
+        &self,
+        url: &Url,
+        exactly: bool,
+        work: impl FnOnce(&View) -> T + Send + 'static,
+    ) -> Result<Option<T>> {
+        // Up to the first wait this runs before any later message is read: what is asked for is the present state.
+        let Some(open) = self.documents.get(url) else {
+            self.log.say(format_args!("{url} is not open"));
+            return Ok(None);
+        };
+        let Some(answer) = open.analysed().await else {
+            return Ok(None);
+        };
+        if exactly && !answer.exact {
+            return Err(Error::new(ErrorCode::ContentModified));
+        }
+        let document = answer.analysed.document.clone().ok_or_else(failed)?;
+        let view = View {
+            url: url.clone(),
+            document,
+            version: answer.analysed.version,
+            abilities: self.abilities(),
+            settings: self.settings(),
+            options: Arc::clone(&self.options),
+            known: Cell::new(Known::default()),
+        };
+        aside(move || work(&view)).await.map(Some)
+    }
+
+    /// Shows a message, unless it was shown before.
+    pub(crate) fn tell_once(&self, message: Option<String>) {
+        let Some(message) = message else {
+            return;
+        };
+        if lock(&self.told).insert(message.clone()) {
+            self.tell(message);
+        }
+    }
+
+    /// Shows a message.
+    fn tell(&self, message: impl Display + Send + 'static) {
+        let client = self.client.clone();
+        tokio::spawn(async move { client.show_message(MessageType::WARNING, message).await });
+    }
+}
+
+/// Does some work on a thread of its own. A panic in it is an error of this request alone.
+///
+/// # Errors
+/// If the work panics.
+pub(crate) async fn aside<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> Result<T> {
+    tokio::task::spawn_blocking(work).await.map_err(|_| failed())
+}
+
+fn failed() -> Error {
+    let mut error = Error::internal_error();
+    error.message = "the server failed at this request".into();
+    error
+}
+
+#[async_trait]
+impl LanguageServer for Server {
+    async fn initialize(&self, params: InitializeParams) -> Result<InitializeResult> {
+        Ok(greeting::initialize(self, &params))
+    }
+
+    async fn initialized(&self, _: InitializedParams) {
+        greeting::initialized(self);
+    }
+
+    async fn shutdown(&self) -> Result<()> {
+        Ok(())
+    }
+
+    async fn did_open(&self, params: DidOpenTextDocumentParams) {
+        synchronise::open(self, params);
+    }
+
+    async fn did_change(&self, params: DidChangeTextDocumentParams) {
+        synchronise::change(self, &params);
+    }
+
+    async fn did_close(&self, params: DidCloseTextDocumentParams) {
+        synchronise::close(self, params);
+    }
+
+    async fn did_change_configuration(&self, params: DidChangeConfigurationParams) {
+        handlers::settings::changed(self, &params);
+    }
+
+    async fn did_change_watched_files(&self, _: DidChangeWatchedFilesParams) {
+        handlers::settings::refresh(self);
+    }
+
+    async fn diagnostic(&self, params: DocumentDiagnosticParams) -> Result<DocumentDiagnosticReportResult> {
+        diagnostics::pull(self, params).await
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::aside;
+
+    #[tokio::test]
+    async fn a_panic_is_an_error_of_one_request() {
+        let failed = aside(|| std::hint::black_box(Vec::<u8>::new())[0]).await;
+        assert_eq!(failed.unwrap_err().message, "the server failed at this request");
+        assert_eq!(aside(|| 5).await, Ok(5));
+    }
+}

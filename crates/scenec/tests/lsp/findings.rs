@@ -1,0 +1,127 @@
+//! Findings, asked for and sent.
+
+use serde_json::{Value, json};
+
+use crate::client::Client;
+
+const URI: &str = "file:///no/such/folder/a.scene";
+
+/// What a finding says, in short.
+fn short(findings: &Value) -> Vec<String> {
+    let findings = findings.as_array().unwrap().iter();
+    let short = findings.map(|one| format!("{} {}", one["range"]["start"]["line"], one["code"].as_str().unwrap()));
+    short.collect()
+}
+
+#[test]
+fn a_client_that_asks_is_sent_nothing() {
+    let mut client = Client::greeted(json!({"textDocument": {"diagnostic": {}}}));
+    client.open(URI, "5\n");
+    let params = json!({"textDocument": {"uri": URI}});
+    let full = client.request("textDocument/diagnostic", params).unwrap();
+    assert_eq!(full["kind"], "full");
+    assert_eq!(short(&full["items"])[0], "0 E005");
+    let params = json!({"textDocument": {"uri": URI}, "previousResultId": full["resultId"]});
+    let same = client.request("textDocument/diagnostic", params.clone()).unwrap();
+    assert_eq!(same, json!({"kind": "unchanged", "resultId": full["resultId"]}));
+    client.change(URI, 2, json!([{"text": "/\n5\n"}]));
+    let other = client.request("textDocument/diagnostic", params).unwrap();
+    assert_eq!(short(&other["items"])[0], "1 E005");
+    client.close(URI);
+    client.request("shutdown", json!(null)).unwrap();
+    assert_eq!(client.rest(), Vec::<Value>::new());
+}
+
+#[test]
+fn a_client_that_does_not_ask_is_sent_them() {
+    let mut client = Client::greeted(json!({}));
+    client.open(URI, "5\n");
+    let sent = client.notification("textDocument/publishDiagnostics");
+    assert_eq!((&sent["uri"], &sent["version"]), (&json!(URI), &json!(1)));
+    assert_eq!(short(&sent["diagnostics"])[0], "0 E005");
+    client.change(URI, 2, json!([{"text": "/\n5\n"}]));
+    let sent = client.notification("textDocument/publishDiagnostics");
+    assert_eq!(sent["version"], 2);
+    assert_eq!(short(&sent["diagnostics"])[0], "1 E005");
+    client.close(URI);
+    let sent = client.notification("textDocument/publishDiagnostics");
+    assert_eq!(sent["diagnostics"], json!([]));
+    client.farewell();
+}
+
+#[test]
+fn a_finding_tells_what_the_client_can_show() {
+    let text = "!s := sphere\n!s <=\n!s += 1 0 0\n";
+    let code = |client: &mut Client| {
+        let found = client.findings(URI);
+        found
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|one| one["code"] == "W005")
+            .unwrap()
+            .clone()
+    };
+    let publish = json!({"relatedInformation": true, "tagSupport": {"valueSet": [1, 2]}});
+    let mut client = Client::greeted(json!({"textDocument": {"diagnostic": {}, "publishDiagnostics": publish}}));
+    client.open(URI, text);
+    let found = code(&mut client);
+    assert_eq!(found["source"], "scenec");
+    assert_eq!(found["severity"], 2);
+    assert_eq!(found["range"]["start"], json!({"line": 2, "character": 0}));
+    assert_eq!(found["tags"], json!([1]));
+    let related = &found["relatedInformation"][0]["location"];
+    assert_eq!(
+        (&related["uri"], &related["range"]["start"]["line"]),
+        (&json!(URI), &json!(1))
+    );
+    client.farewell();
+    let mut plain = Client::greeted(json!({"textDocument": {"diagnostic": {}}}));
+    plain.open(URI, text);
+    let found = code(&mut plain);
+    assert_eq!(
+        (&found["tags"], &found["relatedInformation"]),
+        (&json!(null), &json!(null))
+    );
+    plain.farewell();
+}
+
+#[test]
+fn a_configuration_counts_and_is_watched() {
+    let folder = tempfile::tempdir().unwrap();
+    let configuration = folder.path().join("scenec.toml");
+    std::fs::write(&configuration, "[lint]\nallow = ['W005']\n").unwrap();
+    let uri = format!("file://{}/a.scene", folder.path().display());
+    let mut client = Client::greeted(json!({
+        "textDocument": {"diagnostic": {}},
+        "workspace": {"didChangeWatchedFiles": {"dynamicRegistration": true}, "diagnostic": {"refreshSupport": true}},
+    }));
+    let wish = client.question("client/registerCapability");
+    let watchers = &wish["params"]["registrations"][0]["registerOptions"]["watchers"];
+    assert_eq!(watchers, &json!([{"globPattern": "**/scenec.toml"}]));
+    client.reply(&wish, json!(null));
+    client.open(&uri, "!s := sphere\n!s <=\n!s += 1 0 0\n");
+    let counts = |client: &mut Client| {
+        let found = client.findings(&uri);
+        found
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|one| one["code"] == "W005")
+            .map(|one| one["severity"].clone())
+    };
+    assert_eq!(counts(&mut client), None);
+    std::fs::write(&configuration, "[lint]\ndeny = ['W005']\n").unwrap();
+    client.notify(
+        "workspace/didChangeWatchedFiles",
+        json!({"changes": [{"uri": "file:///scenec.toml", "type": 2}]}),
+    );
+    let refresh = client.question("workspace/diagnostic/refresh");
+    client.reply(&refresh, json!(null));
+    assert_eq!(counts(&mut client), Some(json!(1)));
+    std::fs::write(&configuration, "[lint]\ndeny = 3\n").unwrap();
+    assert_eq!(counts(&mut client), Some(json!(2)));
+    let told = client.notification("window/showMessage")["message"].take();
+    assert!(told.as_str().unwrap().contains("scenec.toml:2:8: "), "{told}");
+    client.farewell();
+}

@@ -1,0 +1,11 @@
+//! `scenec lsp` as an editor sees it: a process that is talked to over its standard input and output.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test may stop at once")]
+
+mod client;
+mod ending;
+mod findings;
+mod frames;
+mod greetings;
+mod order;
+mod synchronisation;
