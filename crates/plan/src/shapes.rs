@@ -109,7 +109,7 @@ pub(crate) struct Shapes {
 struct Key {
     kind: ShapeKind,
     turned: bool,
-    numbers: [i64; 10],
+    numbers: [i64; 12],
 }
 
 impl Shapes {
@@ -216,7 +216,9 @@ fn key(shape: &Shape) -> Key {
                     step(y, 1.0),
                     step(z, 1.0),
                     step(distance, size),
-                    size.log2() as i64,
+                    power(size),
+                    0,
+                    0,
                     0,
                     0,
                     0,
@@ -229,7 +231,7 @@ fn key(shape: &Shape) -> Key {
             let radius = shape.linear.x_axis.x;
             let size = grid(shape.centre.abs().max_element() + radius);
             let [x, y, z] = shape.centre.to_array().map(|x| step(x, size));
-            (false, [x, y, z, step(radius, size), size.log2() as i64, 0, 0, 0, 0, 0])
+            (false, [x, y, z, step(radius, size), power(size), 0, 0, 0, 0, 0, 0, 0])
         }
         ShapeKind::Ellipsoid => {
             let largest = shape
@@ -249,7 +251,9 @@ fn key(shape: &Shape) -> Key {
                     x,
                     y,
                     z,
+                    power(size),
                     step(largest, grid(largest)),
+                    power(grid(largest)),
                     a,
                     b,
                     c,
@@ -275,6 +279,11 @@ fn grid(size: f64) -> f64 {
     } else {
         (size.abs() * std::f64::consts::SQRT_2).log2().floor().exp2()
     }
+}
+
+/// Which power of two a grid is: without it, a shape and another one twice as large and twice as far would be one.
+fn power(grid: f64) -> i64 {
+    grid.log2() as i64
 }
 
 fn step(value: f64, size: f64) -> i64 {
@@ -350,5 +359,26 @@ mod tests {
         classes.dedup();
         assert_eq!(classes.len(), 5, "{classes:?}");
         assert_eq!(shapes[2].kind, ShapeKind::Ellipsoid);
+    }
+
+    #[test]
+    fn what_is_twice_as_large_or_far_is_another_surface() {
+        let egg = Transform::IDENTITY.scaled(DVec3::new(1.0, 1.0, 2.5));
+        let near = egg.translated(DVec3::Z * -2.5);
+        let twice = DVec3::splat(2.0);
+        for (base, first, second) in [
+            (Base::Sphere, near, egg.translated(DVec3::Z * -5.0)),
+            (Base::Sphere, near, near.scaled(twice)),
+            (Base::Sphere, egg, egg.scaled(twice)),
+            (Base::Sphere, Transform::IDENTITY, Transform::IDENTITY.scaled(twice)),
+            (
+                Base::HalfSpace,
+                Transform::IDENTITY.translated(DVec3::Y),
+                Transform::IDENTITY.translated(DVec3::Y * 2.0),
+            ),
+        ] {
+            let shapes = intern(&[(base, first), (base, second)]);
+            assert_ne!(shapes[0].class, shapes[1].class, "{first:?} {second:?}");
+        }
     }
 }
