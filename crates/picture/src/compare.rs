@@ -43,17 +43,21 @@ impl std::error::Error for SizesDiffer {}
 /// # Errors
 /// If their sizes differ.
 pub fn compare(first: &Picture, second: &Picture) -> Result<Figures, SizesDiffer> {
-    let size = |picture: &Picture| (picture.width(), picture.height());
-    if size(first) != size(second) {
-        return Err(SizesDiffer {
-            first: size(first),
-            second: size(second),
-        });
-    }
+    same_size(first, second)?;
     let wide = |pixel: &[f32; 3]| pixel.map(f64::from);
     Ok(figures(
         first.pixels().iter().map(wide).zip(second.pixels().iter().map(wide)),
     ))
+}
+
+/// Refuses pictures of different sizes.
+pub(crate) fn same_size(first: &Picture, second: &Picture) -> Result<(), SizesDiffer> {
+    let [first, second] = [first, second].map(|picture| (picture.width(), picture.height()));
+    if first == second {
+        Ok(())
+    } else {
+        Err(SizesDiffer { first, second })
+    }
 }
 
 /// The distance of a picture from one in f64, row by row, of the same size. Pixels that only one of them has are not

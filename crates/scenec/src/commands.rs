@@ -1,6 +1,7 @@
 //! The subcommands: each is a set of arguments with a `run` that tells how the program ends.
 
 pub(crate) mod check;
+pub(crate) mod compare;
 pub(crate) mod devices;
 pub(crate) mod explain;
 pub(crate) mod fmt;

@@ -7,7 +7,7 @@ use std::process::ExitCode;
 pub(crate) enum Exit {
     /// Nothing is wrong; there may have been warnings.
     Clean,
-    /// A scene file has errors.
+    /// A scene file has errors, or what was measured is worse than allowed.
     Errors,
     /// The command could not be carried out: bad arguments, or a file that can't be read.
     Unusable,

@@ -4,6 +4,7 @@ mod commands;
 mod config;
 mod diff;
 mod exit;
+mod failure;
 mod files;
 mod finding;
 mod fix;
@@ -16,6 +17,8 @@ mod parallel;
 mod progress;
 mod report;
 mod rewrite;
+mod scenes;
+mod values;
 mod watch;
 
 use std::process::ExitCode;
@@ -35,6 +38,7 @@ enum Command {
     Check(commands::check::Check),
     Fmt(commands::fmt::Fmt),
     Render(Box<commands::render::Render>),
+    Compare(commands::compare::Compare),
     Devices(commands::devices::Devices),
     Explain(commands::explain::Explain),
     Lsp(commands::lsp::Lsp),
@@ -45,6 +49,7 @@ fn main() -> ExitCode {
         Command::Check(check) => check.run(),
         Command::Fmt(fmt) => fmt.run(),
         Command::Render(render) => render.run(),
+        Command::Compare(compare) => compare.run(),
         Command::Devices(devices) => devices.run(),
         Command::Explain(explain) => explain.run(),
         Command::Lsp(lsp) => lsp.run(),

@@ -2,27 +2,22 @@
 
 mod account;
 mod clock;
-mod failure;
 mod machine;
 mod target;
-mod values;
 mod view;
 
-use std::io::{self, Write};
+use std::io;
 use std::path::PathBuf;
 
 use clap::Args;
-use scenec_lint::check;
 use scenec_picture::{Layers, Request};
 use scenec_scene::Scene;
-use scenec_text::Severity;
 
 use crate::exit::Exit;
-use crate::report::{self, Tally};
-use crate::{input, interrupt};
+use crate::failure::Failure;
+use crate::{interrupt, report, scenes};
 use account::{account, grouped};
 use clock::Clock;
-use failure::Failure;
 use machine::{Attempt, Traced};
 
 /// Trace a scene file into a picture
@@ -88,7 +83,8 @@ impl Render {
     fn render(&self) -> Result<(), Failure> {
         let mut clock = Clock::start();
         let target = self.target.target(&self.file)?;
-        let scene = self.view.scene(self.scene(&mut clock)?);
+        let scene = scenes::open(&self.file, self.talk.quiet, &self.talk.style, |stage| clock.lap(stage))?;
+        let scene = self.view.scene(scene);
         let window = self.view.window(scene.settings.width, scene.settings.height)?;
         target.check(&window)?;
 
@@ -113,32 +109,6 @@ impl Render {
         clock.lap("encode");
         self.conclude(&scene, &traced, &target.name(), &clock);
         Ok(())
-    }
-
-    /// The scene in the file, after its findings have been shown.
-    fn scene(&self, clock: &mut Clock) -> Result<Scene, Failure> {
-        let (source, mut diagnostics) = input::read(&self.file).map_err(Failure::Unusable)?;
-        clock.lap("read");
-        let checked = check(&source);
-        clock.lap("interpret");
-        diagnostics.extend(checked.diagnostics);
-        diagnostics.sort_by_key(|finding| finding.span().start);
-        let tally = Tally::of(&diagnostics);
-        if self.talk.quiet {
-            diagnostics.retain(|finding| finding.severity() == Severity::Error);
-        }
-        if !diagnostics.is_empty() {
-            // The drawings are many small writes.
-            let mut out = io::BufWriter::new(io::stderr().lock());
-            report::print(&mut out, &source, &diagnostics, &self.talk.style)
-                .and_then(|()| match tally.errors {
-                    0 => Ok(()),
-                    _ => report::summary(&mut out, &source, tally),
-                })
-                .and_then(|()| out.flush())
-                .unwrap_or_default();
-        }
-        checked.interpretation.scene.ok_or(Failure::Errors)
     }
 
     /// Says what may be wrong with a picture.

@@ -9,9 +9,9 @@ use scenec_reference::Reference;
 use scenec_scene::Scene;
 
 use super::clock::Clock;
-use super::failure::Failure;
-use super::values::named;
+use crate::failure::Failure;
 use crate::progress;
+use crate::values::named;
 
 const PRECISIONS: &[(Precision, &str)] = &[(Precision::F32, "f32"), (Precision::F64, "f64")];
 

@@ -8,9 +8,9 @@ use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use scenec_picture::{Depth, EncodeError, Encoding, Format, Picture, Transfer, Watch, Window, encode, write_whole};
 
-use super::failure::Failure;
-use super::values::named;
+use crate::failure::Failure;
 use crate::interrupt::{Stoppable, while_writing};
+use crate::values::named;
 
 /// Arguments about the file that is written.
 #[derive(Args, Debug)]

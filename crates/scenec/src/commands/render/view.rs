@@ -4,8 +4,8 @@ use clap::{Args, ValueEnum};
 use scenec_picture::{Limits, MAX_PIXELS, TooManyPixels, Window};
 use scenec_scene::Scene;
 
-use super::failure::Failure;
-use super::values;
+use crate::failure::Failure;
+use crate::values;
 
 /// Arguments that take the place of what the file says.
 #[derive(Args, Debug)]

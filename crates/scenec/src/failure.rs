@@ -10,7 +10,7 @@ use crate::report;
 
 /// Why there is no picture.
 #[derive(Debug)]
-pub(super) enum Failure {
+pub(crate) enum Failure {
     /// The file has errors, and they have been reported.
     Errors,
     /// What was asked for can't be done: a sentence for the user.
@@ -22,12 +22,12 @@ pub(super) enum Failure {
 }
 
 impl Failure {
-    pub(super) fn unusable(message: impl ToString) -> Self {
+    pub(crate) fn unusable(message: impl ToString) -> Self {
         Self::Unusable(message.to_string())
     }
 
     /// What the exit code tells.
-    pub(super) fn exit(&self) -> Exit {
+    pub(crate) fn exit(&self) -> Exit {
         match self {
             Self::Errors => Exit::Errors,
             Self::Unusable(_) => Exit::Unusable,
@@ -37,7 +37,7 @@ impl Failure {
     }
 
     /// Says what is left to say.
-    pub(super) fn tell(&self, out: &mut impl io::Write) -> io::Result<()> {
+    pub(crate) fn tell(&self, out: &mut impl io::Write) -> io::Result<()> {
         match self {
             Self::Errors => Ok(()),
             Self::Unusable(message) | Self::Device(message) => report::failure(out, message),

@@ -5,7 +5,7 @@ use scenec_picture::Window;
 use scenec_scene::{SettingRange, setting};
 
 /// One of a table's names.
-pub(super) fn named<T: Copy + Send + Sync + 'static>(
+pub(crate) fn named<T: Copy + Send + Sync + 'static>(
     table: &'static [(T, &'static str)],
 ) -> impl TypedValueParser<Value = T> {
     PossibleValuesParser::new(table.iter().map(|(_, name)| *name)).try_map(move |word| {
@@ -16,18 +16,18 @@ pub(super) fn named<T: Copy + Send + Sync + 'static>(
 }
 
 /// Columns and rows, as in `600x400`.
-pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
+pub(crate) fn size(text: &str) -> Result<(u32, u32), String> {
     let (width, height) = text
         .split_once(['x', 'X'])
         .ok_or("a size is written as 600x400, columns before rows")?;
     Ok((whole("width", width)?, whole("height", height)?))
 }
 
-pub(super) fn samples(text: &str) -> Result<u32, String> {
+pub(crate) fn samples(text: &str) -> Result<u32, String> {
     whole("samples", text)
 }
 
-pub(super) fn raydepth(text: &str) -> Result<u32, String> {
+pub(crate) fn raydepth(text: &str) -> Result<u32, String> {
     whole("raydepth", text)
 }
 
@@ -42,7 +42,7 @@ fn whole(name: &str, text: &str) -> Result<u32, String> {
 }
 
 /// Column and row of the corner, columns and rows, as in `100,50,320,200`.
-pub(super) fn window(text: &str) -> Result<Window, String> {
+pub(crate) fn window(text: &str) -> Result<Window, String> {
     let numbers: Option<Vec<u32>> = text.split(',').map(|word| word.trim().parse().ok()).collect();
     match numbers.as_deref() {
         Some([_, _, 0, _] | [_, _, _, 0]) => Err("a crop has at least one pixel".to_owned()),
@@ -51,15 +51,23 @@ pub(super) fn window(text: &str) -> Result<Window, String> {
     }
 }
 
+/// A cut-off, as a number or a fraction.
+pub(crate) fn cutoff(text: &str) -> Result<f64, String> {
+    fraction(text).ok_or_else(|| "a cut-off is a number of at least 0, or a fraction such as 1/4096".to_owned())
+}
+
+/// A difference that is still allowed, as a number or a fraction.
+pub(crate) fn limit(text: &str) -> Result<f64, String> {
+    fraction(text).ok_or_else(|| "a limit is a number of at least 0, or a fraction such as 1/255".to_owned())
+}
+
 /// A number of at least 0, written as one or as a fraction: `0.001`, `1/4096`.
-pub(super) fn cutoff(text: &str) -> Result<f64, String> {
+fn fraction(text: &str) -> Option<f64> {
     let value = match text.split_once('/') {
         Some((above, below)) => number(above).zip(number(below)).map(|(above, below)| above / below),
         None => number(text),
     };
-    value
-        .filter(|value| value.is_finite() && *value >= 0.0)
-        .ok_or_else(|| "a cut-off is a number of at least 0, or a fraction such as 1/4096".to_owned())
+    value.filter(|value| value.is_finite() && *value >= 0.0)
 }
 
 fn number(text: &str) -> Option<f64> {
