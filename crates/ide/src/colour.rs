@@ -54,7 +54,7 @@ pub fn colour_edits(document: &Document, span: Span, colour: [f64; 3]) -> Option
         if same {
             document.words(value.span).to_owned()
         } else {
-            short(wanted)
+            format!("{}{}", parting_sign(document, value), short(wanted))
         }
     });
     let [r, g, b] = [texts.next()?, texts.next()?, texts.next()?];
@@ -70,6 +70,13 @@ pub fn colour_edits(document: &Document, span: Span, colour: [f64; 3]) -> Option
     let gap = |left: usize, right: usize| document.words(Span::new(values[left].span.end, values[right].span.start));
     let text = format!("{r}{}{g}{}{b}", gap(0, 1), gap(1, 2));
     Some(vec![Edit { span, text }])
+}
+
+/// A sign alone may part a value from the one before it, as in `1-.5`: another one takes its place.
+fn parting_sign(document: &Document, value: &Value) -> &'static str {
+    let before = document.words(Span::new(0, value.span.start)).chars().next_back();
+    let touches = before.is_some_and(|before| before.is_alphanumeric() || matches!(before, '.' | '_'));
+    if touches { "+" } else { "" }
 }
 
 /// The values of the colour that a statement gives by itself.
@@ -113,7 +120,7 @@ fn swatch(document: &Document, values: &[Value; 3]) -> Option<Swatch> {
 /// The shortest decimal with the same 8-bit value.
 fn short(part: f64) -> String {
     let wanted = bytes([part; 3]);
-    let part = part.clamp(0.0, 1.0);
+    let part = if part.is_nan() { 0.0 } else { part.clamp(0.0, 1.0) };
     (0..4_usize)
         .map(|digits| format!("{part:.digits$}"))
         .find(|text| text.parse::<f64>().is_ok_and(|read| bytes([read; 3]) == wanted))
@@ -156,6 +163,7 @@ mod tests {
             [0.0, 0.002, 0.123456],
             "?m := 1 2 3 4 5 6 7 -1 0.002 0.12",
         );
+        check("*l := 1 2 3-1+.5-1", wanted, "*l := 1 2 3+0.5+0.2+1");
         check("!a := sphere\nx := 1\n", wanted, "!a := sphere\nx := 1\n");
         check("?m := 1 2 3 4 5 6 7 8 9", wanted, "?m := 1 2 3 4 5 6 7 8 9");
     }
@@ -195,6 +203,7 @@ mod tests {
             let read: f64 = text.parse().unwrap();
             assert_eq!(super::bytes([read; 3])[0], byte, "{text}");
             assert!(text.len() <= 6, "{text}");
+            assert_eq!(super::short(f64::NAN), "0");
         }
     }
 }

@@ -7,7 +7,8 @@ mod group;
 mod reach;
 
 use scenec_interpret::{DefinitionId, Occurrence, Role, SymbolId};
-use scenec_syntax::{Content, Statement, ValueKind};
+use scenec_scene::SETTINGS;
+use scenec_syntax::{Content, Space, Statement, ValueKind};
 use scenec_text::Span;
 
 use crate::Document;
@@ -28,6 +29,8 @@ pub(crate) struct Facts {
     edits: Groups,
     /// The occurrences that read each definition.
     uses: Groups,
+    /// The symbols that are settings, each with its number in the table of settings.
+    settings: Vec<(usize, SymbolId)>,
     submission: Option<Submission>,
     taken: Vec<Option<Taken>>,
 }
@@ -60,6 +63,7 @@ impl Facts {
             bindings: Groups::new(symbols.symbols().len(), bindings),
             edits: Groups::new(count, with_role(Role::Edit)),
             uses: Groups::new(count, with_role(Role::Use)),
+            settings: settings(document),
             submission: None,
             taken: Vec::new(),
         };
@@ -106,6 +110,12 @@ impl Facts {
             }
             _ => {}
         }
+    }
+
+    /// The symbols of a setting, under each of its spellings, by its number in the table of settings.
+    pub(crate) fn setting(&self, row: usize) -> impl Iterator<Item = SymbolId> {
+        let all = self.settings.iter().filter(move |(number, _)| *number == row);
+        all.map(|(_, symbol)| *symbol)
     }
 
     /// What a definition of a variable binds it to.
@@ -169,6 +179,20 @@ impl Facts {
         let last = all.get(count.checked_sub(1)?)?;
         document.defined_by(symbols.definitions().get(*last as usize)?.line)
     }
+}
+
+/// The symbols of a document that are settings, each with its number in the table of settings.
+fn settings(document: &Document) -> Vec<(usize, SymbolId)> {
+    let symbols = (0..).map(SymbolId).zip(document.interpretation().symbols.symbols());
+    let variables = symbols.filter(|(_, symbol)| symbol.space == Space::Variable);
+    let row = |name: &str| {
+        SETTINGS
+            .iter()
+            .position(|row| row.name == name || row.alias == Some(name))
+    };
+    variables
+        .filter_map(|(id, symbol)| Some((row(document.words(symbol.name))?, id)))
+        .collect()
 }
 
 fn set<T>(list: &mut [T], id: DefinitionId, value: T) {

@@ -27,6 +27,7 @@ pub struct Hover {
 /// What is at an offset; `None` for blanks and comments.
 #[must_use]
 pub fn hover(document: &Document, offset: u32) -> Option<Hover> {
+    let offset = document.cursor(offset);
     let look = Look::at(document.source(), offset).filter(|look| !look.in_comment(offset))?;
     let piece = look.piece_at(offset)?;
     let place = Place {

@@ -19,7 +19,7 @@ mod solid;
 mod words;
 
 pub use colour::{Swatch, colour_edits, colours};
-pub use completion::{Completion, CompletionKind, completions};
+pub use completion::{Completion, CompletionKind, MOST_NAMES, completions};
 pub use document::Document;
 pub use hover::{Hover, hover};
 pub use inlay::{InlayHint, InlayKind, inlay_hints};

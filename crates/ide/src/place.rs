@@ -13,6 +13,20 @@ impl Document {
         span.of(self.text())
     }
 
+    /// An offset that a client gave, brought to where a cursor can stand: between two characters, and not past the end
+    /// of its line.
+    pub(crate) fn cursor(&self, offset: u32) -> u32 {
+        let line = self
+            .source()
+            .line_span(self.source().line_of(offset))
+            .unwrap_or_default();
+        let mut offset = offset.clamp(line.start, line.end.max(line.start));
+        while !self.text().is_char_boundary(offset as usize) {
+            offset -= 1;
+        }
+        offset
+    }
+
     /// The number of the line of an offset, counted from 1 as people do.
     pub(crate) fn line_number(&self, offset: u32) -> u32 {
         self.source().line_of(offset) + 1

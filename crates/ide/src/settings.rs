@@ -2,7 +2,6 @@
 
 use scenec_interpret::DefinitionId;
 use scenec_scene::{SETTINGS, SettingInfo, SettingRange};
-use scenec_syntax::Space;
 
 use crate::Document;
 use crate::words::{angle, figure};
@@ -38,9 +37,9 @@ pub(crate) fn spoken(row: &SettingInfo, value: f64) -> String {
 impl Document {
     /// The last statement that binds a setting, under either of its spellings.
     pub(crate) fn setting(&self, row: &SettingInfo) -> Option<DefinitionId> {
-        let names = [Some(row.name), row.alias];
-        let last = |name: &str| self.binding(self.symbol(Space::Variable, name)?, u32::MAX);
-        names.into_iter().flatten().filter_map(last).max()
+        let number = SETTINGS.iter().position(|known| known.name == row.name)?;
+        let symbols = self.facts().setting(number);
+        symbols.filter_map(|symbol| self.binding(symbol, u32::MAX)).max()
     }
 
     /// The settings that the file never gives, the required ones or the optional ones.

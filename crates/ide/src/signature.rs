@@ -31,6 +31,7 @@ pub struct Parameter {
 /// The form of the statement at an offset; `None` before its operator, in a comment, and behind its last value.
 #[must_use]
 pub fn signature(document: &Document, offset: u32) -> Option<Signature> {
+    let offset = document.cursor(offset);
     let look = Look::at(document.source(), offset)?;
     if look.in_comment(offset) {
         return None;

@@ -17,8 +17,6 @@ pub(crate) struct Standing<'d> {
     pub(crate) transform: Transform,
     /// The last material set that had an effect: its place, and the material.
     pub(crate) paint: Option<(Span, DefinitionId)>,
-    /// The edits that had none.
-    pub(crate) lost: Vec<Span>,
     document: &'d Document,
 }
 
@@ -53,7 +51,6 @@ impl<'d> Standing<'d> {
             steps: Vec::new(),
             transform: Transform::IDENTITY,
             paint: None,
-            lost: Vec::new(),
             document,
         };
         let edits = document.facts().edits(document, id);
@@ -65,22 +62,20 @@ impl<'d> Standing<'d> {
         Some(standing)
     }
 
+    /// Notes an edit, unless it comes too late or can have no effect.
     fn edit(&mut self, statement: &Statement, line: Span) {
+        if self.document.facts().is_late(line) {
+            return;
+        }
+        if matches!(statement, Statement::MaterialSet { .. }) {
+            self.paint = self.document.used_on(line).map(|paint| (line, paint)).or(self.paint);
+            return;
+        }
         let step = step_of(self.document, statement).filter(|_| self.made != Made::Combination);
         let moved = step.map(|step| (step, step.after(self.transform)));
-        let paint = match statement {
-            Statement::MaterialSet { .. } => self.document.used_on(line),
-            _ => None,
-        };
-        if self.document.facts().is_late(line) {
-            self.lost.push(line);
-        } else if let Some(paint) = paint {
-            self.paint = Some((line, paint));
-        } else if let Some((step, transform)) = moved.filter(|(_, transform)| transform.is_finite()) {
+        if let Some((step, transform)) = moved.filter(|(_, transform)| transform.is_finite()) {
             self.steps.push((line, step));
             self.transform = transform;
-        } else {
-            self.lost.push(line);
         }
     }
 

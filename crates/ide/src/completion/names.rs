@@ -4,34 +4,31 @@ use scenec_interpret::{DefinitionId, Symbol, SymbolId};
 use scenec_scene::{Base, setting};
 use scenec_syntax::{Space, Statement};
 
-use super::{Completion, CompletionKind, Cursor};
+use super::{Completion, CompletionKind, Cursor, MOST_NAMES};
 use crate::look::Shape;
 use crate::settings::usual;
 use crate::words::{code, figure, hex, look};
 
-/// The most names that are offered at once.
-const MOST: usize = 250;
-
 impl Cursor<'_> {
-    /// The names of a space that are bound on earlier lines; those that begin as the typed word does come first where
-    /// there are too many.
+    /// The names of a space that are bound on earlier lines, the nearest first; where there are too many, those that
+    /// begin as the typed word does.
     pub(super) fn names(&self, space: Space) -> Vec<Completion> {
         let symbols = self.document.interpretation().symbols.symbols();
+        let before = symbols.partition_point(|symbol| symbol.name.start < self.line);
         let numbered = || {
-            (0..)
-                .map(SymbolId)
-                .zip(symbols)
-                .filter(|(_, symbol)| symbol.space == space)
+            let earlier = symbols.iter().enumerate().take(before).rev();
+            earlier.filter(|(_, symbol)| symbol.space == space)
         };
-        let few = numbered().nth(MOST).is_none();
+        let few = numbered().nth(MOST_NAMES).is_none();
         let fits = |symbol: &Symbol| few || begins(self.document.words(symbol.name), self.typed);
         numbered()
             .filter(|(_, symbol)| fits(symbol))
-            .filter_map(|(id, symbol)| {
+            .filter_map(|(number, symbol)| {
+                let id = SymbolId(u32::try_from(number).ok()?);
                 let definition = self.document.binding(id, self.line)?;
                 Some(self.name(space, self.document.words(symbol.name), definition))
             })
-            .take(MOST)
+            .take(MOST_NAMES)
             .collect()
     }
 

@@ -17,12 +17,12 @@ pub(crate) struct Taken {
     /// A material set of a combination around it that hides its own.
     pub(crate) painted: Option<Span>,
     /// The same two for what it is made of.
-    inside: Light,
+    inside: Show,
 }
 
-/// Which materials show through from further in.
+/// Whose material shows: that of what is taken, or that of a paint around it, or each somewhere.
 #[derive(Clone, Copy, Debug, Default)]
-struct Light {
+struct Show {
     bare: bool,
     painted: Option<Span>,
 }
@@ -34,7 +34,7 @@ pub(super) fn of(document: &Document, facts: &Facts) -> Vec<Option<Taken>> {
     let Some(submission) = facts.submission else {
         return taken;
     };
-    let whole = Light {
+    let whole = Show {
         bare: true,
         painted: None,
     };
@@ -58,13 +58,13 @@ pub(super) fn of(document: &Document, facts: &Facts) -> Vec<Option<Taken>> {
 }
 
 /// Notes that the statement at `by` takes what a definition made, as it stood there.
-fn take(document: &Document, facts: &Facts, taken: &mut [Option<Taken>], id: DefinitionId, by: Span, light: Light) {
+fn take(document: &Document, facts: &Facts, taken: &mut [Option<Taken>], id: DefinitionId, by: Span, show: Show) {
     let inside = match own_paint(document, facts, id, by) {
-        Some(painted) => Light {
+        Some(painted) => Show {
             bare: false,
-            painted: Some(light.painted.unwrap_or(painted)),
+            painted: Some(show.painted.unwrap_or(painted)),
         },
-        None => light,
+        None => show,
     };
     let Some(place) = taken.get_mut(id.index()) else {
         return;
@@ -73,13 +73,13 @@ fn take(document: &Document, facts: &Facts, taken: &mut [Option<Taken>], id: Def
         last: by,
         bare: false,
         painted: None,
-        inside: Light::default(),
+        inside: Show::default(),
     });
     *place = Some(Taken {
         last: if by.start > before.last.start { by } else { before.last },
-        bare: before.bare || light.bare,
-        painted: before.painted.or(light.painted),
-        inside: Light {
+        bare: before.bare || show.bare,
+        painted: before.painted.or(show.painted),
+        inside: Show {
             bare: before.inside.bare || inside.bare,
             painted: before.inside.painted.or(inside.painted),
         },

@@ -180,7 +180,7 @@ fn values_say_what_they_are_for() {
     check("?m := 1 2$0", "2", &["**`diffref`** = 2: share of the diffuse light"]);
     check("x := 1$0", "1", &["**variable** `x` = 1"]);
     check("!a += pi$0 0 0", "pi", &["= 3.142: along x"]);
-    check("!a += 1 - $0- 2", "-", &["along z"]);
+    check("!a += 1 - $0- 2", "- 2", &["= -2: along z"]);
     silent("!a += 1 2 3 4$0");
 }
 
