@@ -21,6 +21,8 @@ pub(crate) use reach::Taken;
 pub(crate) struct Facts {
     /// What each definition of a variable binds it to.
     values: Vec<Option<f64>>,
+    /// What each definition of a combination takes.
+    operands: Vec<Option<[Option<DefinitionId>; 2]>>,
     /// How many base objects each definition of an object is made of, the same one counted each time.
     leaves: Vec<u64>,
     /// The definitions of each symbol.
@@ -59,6 +61,7 @@ impl Facts {
             .map(|(number, definition)| (definition.symbol.0 as usize, number));
         let mut facts = Self {
             values: vec![None; count],
+            operands: vec![None; count],
             leaves: vec![0; count],
             bindings: Groups::new(symbols.symbols().len(), bindings),
             edits: Groups::new(count, with_role(Role::Edit)),
@@ -104,6 +107,7 @@ impl Facts {
                 let leaves = |number| bound(number).map_or(0, |id| self.leaves(id));
                 let sum = leaves(1).saturating_add(leaves(2));
                 set(&mut self.leaves, id, sum);
+                set(&mut self.operands, id, Some([bound(1), bound(2)]));
             }
             Statement::Submit { .. } if self.submission.is_none() => {
                 self.submission = Some(Submission { line, object: id });
@@ -126,6 +130,11 @@ impl Facts {
     /// How many base objects an object is made of; the largest number of all stands for more as well.
     pub(crate) fn leaves(&self, id: DefinitionId) -> u64 {
         self.leaves.get(id.index()).copied().unwrap_or_default()
+    }
+
+    /// The two objects that a combination takes; `None` for anything else.
+    fn operands(&self, id: DefinitionId) -> Option<[Option<DefinitionId>; 2]> {
+        self.operands.get(id.index()).copied().flatten()
     }
 
     /// The statement that submits an existing object.
@@ -205,3 +214,6 @@ fn occurrences<'d>(document: &'d Document, numbers: &'d [u32]) -> impl DoubleEnd
     let all = document.interpretation().symbols.occurrences();
     numbers.iter().filter_map(move |number| all.get(*number as usize))
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,6 @@
 //! Which objects the submitted one is made of, and whose materials show in it.
 
-use scenec_interpret::{DefinitionId, Role};
+use scenec_interpret::DefinitionId;
 use scenec_syntax::Statement;
 use scenec_text::Span;
 
@@ -39,18 +39,12 @@ pub(super) fn of(document: &Document, facts: &Facts) -> Vec<Option<Taken>> {
         painted: None,
     };
     take(document, facts, &mut taken, submission.object, submission.line, whole);
-    for index in (0..taken.len()).rev() {
-        let (Some(Some(here)), Some(definition)) = (taken.get(index).copied(), symbols.definitions().get(index)) else {
-            continue;
-        };
-        let line = definition.line;
-        let Some((Statement::Combination { .. }, _)) = document.statement_at(line.start) else {
-            continue;
-        };
-        let Taken { inside, .. } = here;
-        for operand in document.places_on(line).iter().filter(|place| place.role == Role::Use) {
-            if let Some(id) = operand.definition {
-                take(document, facts, &mut taken, id, line, inside);
+    let numbered: Vec<_> = symbols.numbered_definitions().collect();
+    for (id, definition) in numbered.into_iter().rev() {
+        let here = taken.get(id.index()).copied().flatten();
+        if let (Some(Taken { inside, .. }), Some(operands)) = (here, facts.operands(id)) {
+            for operand in operands.into_iter().flatten() {
+                take(document, facts, &mut taken, operand, definition.line, inside);
             }
         }
     }
@@ -88,15 +82,10 @@ fn take(document: &Document, facts: &Facts, taken: &mut [Option<Taken>], id: Def
 
 /// The last material set of a combination before it is taken.
 fn own_paint(document: &Document, facts: &Facts, id: DefinitionId, by: Span) -> Option<Span> {
-    let line = document.definition_of(id)?.line;
-    let (Statement::Combination { .. }, _) = document.statement_at(line.start)? else {
-        return None;
-    };
-    let edits = facts
-        .edits(document, id)
-        .rev()
-        .filter(|edit| edit.span.start < by.start);
+    facts.operands(id)?;
+    let edits = facts.edits(document, id).rev();
     edits
+        .filter(|edit| edit.span.start < by.start)
         .filter_map(|edit| document.statement_at(edit.span.start))
         .find(|(statement, line)| {
             matches!(statement, Statement::MaterialSet { .. }) && document.used_on(*line).is_some()
