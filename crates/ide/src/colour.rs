@@ -1,7 +1,7 @@
 //! Colours in the text, and what an edit of one writes.
 
 use scenec_interpret::DefinitionId;
-use scenec_scene::setting;
+use scenec_scene::{DVec3, setting};
 use scenec_syntax::{Content, Form, Statement, Value, ValueKind};
 use scenec_text::{Edit, Span};
 
@@ -95,6 +95,12 @@ fn ambient(document: &Document) -> Option<[Value; 3]> {
     };
     let [r, g, b] = AMBIENT.map(value);
     Some([r?, g?, b?])
+}
+
+/// The ambient light as one colour, if a variable of this name is part of it.
+pub(crate) fn ambient_with(document: &Document, name: &str) -> Option<DVec3> {
+    let values = ambient(document).filter(|_| AMBIENT.contains(&name))?;
+    document.numbers::<3>(&values).map(DVec3::from_array)
 }
 
 fn value_of(document: &Document, id: DefinitionId) -> Option<Value> {

@@ -8,10 +8,12 @@ use scenec_syntax::{Form, Token};
 use scenec_text::Span;
 
 use super::{Place, Said, material};
+use crate::Document;
+use crate::colour::ambient_with;
 use crate::fields::meaning;
 use crate::look::{Shape, Spot};
 use crate::settings::spoken;
-use crate::words::{angle, code, degrees, figure};
+use crate::words::{angle, code, degrees, figure, hex, triple};
 
 impl Place<'_> {
     /// The value that the token is part of.
@@ -23,11 +25,9 @@ impl Place<'_> {
         let field = form.info().fields.get(number)?;
         let is_name = spot.piece.token == Token::Name && self.document.words(spot.piece.span) != "pi";
         let value = self.amount(number, &spot);
-        let mut markdown = if form == Form::Variable {
-            self.assigned(shape, value)
-        } else {
-            let amount = value.map_or(String::new(), |value| format!(" = {}", figure(value)));
-            format!("**{}**{amount}: {}", code(field), meaning(form, number))
+        let mut markdown = match shape.name.filter(|_| form == Form::Variable) {
+            Some(variable) => self.title(self.document.words(variable), value),
+            None => format!("**{}**{}: {}", code(field), equals(value), meaning(form, number)),
         };
         if form == Form::Rotate || self.is_angle(shape) {
             markdown.push_str(&value.map_or(String::new(), in_degrees));
@@ -83,51 +83,42 @@ impl Place<'_> {
         shape.form() == Some(Form::Variable) && row.is_some_and(|row| row.range == SettingRange::Angle)
     }
 
-    /// The value of a variable's statement.
-    fn assigned(&self, shape: &Shape<'_>, value: Option<f64>) -> String {
-        let name = shape.name.map_or("", |name| self.document.words(name));
-        match setting(name) {
-            Some(row) => described(row, name, value),
-            None => {
-                let amount = value.map_or(String::new(), |value| format!(" = {}", figure(value)));
-                format!("**variable** {}{amount}", code(name))
-            }
-        }
-    }
-
     /// A variable by its name.
     pub(super) fn variable(&self, name: Span, id: Option<DefinitionId>) -> String {
         let word = self.document.words(name);
-        let value = id.and_then(|id| self.document.facts().value(id));
-        let mut text = match setting(word) {
-            Some(row) => described(row, word, value),
-            None => {
-                let amount = value.map_or(String::new(), |value| format!(" = {}", figure(value)));
-                format!("**variable** {}{amount}", code(word))
-            }
-        };
         if word == "pi" {
             return "**constant** `pi` = 3.141592653589793, half a turn".to_owned();
         }
-        let line = id
-            .and_then(|id| self.document.definition_of(id))
-            .map(|found| found.line);
-        match line {
-            Some(line) if self.look.line.start <= line.start && line.end <= self.look.line.end => {}
+        let value = id.and_then(|id| self.document.facts().value(id));
+        let mut text = self.title(word, value);
+        let given = id.and_then(|id| self.document.definition_of(id));
+        match given.map(|given| given.line) {
+            Some(line) if self.document.source().line_of(line.start) == self.line() => {}
             Some(line) => {
                 let number = self.document.line_number(line.start);
                 let _ = write!(text, "\n\n{} on line {number}", code(self.document.words(line)));
             }
             None => text.push_str("\n\nNothing gives this name a value before this line."),
         }
-        if setting(word).is_none()
-            && let Some(value) = value
-            && let Some(id) = id
+        if let Some((id, value)) = id.zip(value)
+            && setting(word).is_none()
             && self.turns(id)
         {
             text.push_str(&in_degrees(value));
         }
         text
+    }
+
+    fn line(&self) -> u32 {
+        self.document.source().line_of(self.piece.span.start)
+    }
+
+    /// What a variable is and holds.
+    fn title(&self, word: &str, value: Option<f64>) -> String {
+        match setting(word) {
+            Some(row) => described(self.document, row, word, value),
+            None => format!("**variable** {}{}", code(word), equals(value)),
+        }
     }
 
     /// Whether a rotation reads this definition.
@@ -139,8 +130,7 @@ impl Place<'_> {
 }
 
 /// A setting: its meaning, what it may hold, its default and its value.
-fn described(row: &SettingInfo, word: &str, value: Option<f64>) -> String {
-    let amount = value.map_or(String::new(), |value| format!(" = {}", figure(value)));
+fn described(document: &Document, row: &SettingInfo, word: &str, value: Option<f64>) -> String {
     let given = match row.default {
         Some(default) => format!("default {}", spoken(row, default)),
         None => "every file must give it".to_owned(),
@@ -149,12 +139,20 @@ fn described(row: &SettingInfo, word: &str, value: Option<f64>) -> String {
         let other = if alias == word { row.name } else { alias };
         format!("; also written `{other}`")
     });
+    let ambient = ambient_with(document, word).map_or(String::new(), |colour| {
+        format!("\n\nThe ambient light is {} (`{}`).", triple(colour), hex(colour))
+    });
     format!(
-        "**setting** {}{amount}: {}\n\nHolds {}; {given}{alias}.",
+        "**setting** {}{}: {}\n\nHolds {}; {given}{alias}.",
         code(word),
+        equals(value),
         row.meaning,
         row.range.words()
-    )
+    ) + &ambient
+}
+
+fn equals(value: Option<f64>) -> String {
+    value.map_or(String::new(), |value| format!(" = {}", figure(value)))
 }
 
 fn in_degrees(radians: f64) -> String {

@@ -196,6 +196,11 @@ fn settings_lights_operators_and_bases_are_explained() {
     );
     check("fov := 1$0", "1", &["default pi/2", "= 57.3°"]);
     check(
+        "ambient_r := 0.2$0\nambient_g := 1\nambient_b := 0",
+        "0.2",
+        &["= 0.2: red of the ambient light", "(0.2, 1, 0) (`#33ff00`)"],
+    );
+    check(
         "max_reflections$0 := 3",
         "max_reflections",
         &["`max_reflections` = 3", "also written `raydepth`"],
