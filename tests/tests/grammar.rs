@@ -120,13 +120,14 @@ fn statements() -> Vec<Value> {
     groups.iter().map(|group| statement(group)).collect()
 }
 
-/// How a name of this space is called in TextMate's customary scopes.
+/// How a name of this space is called in TextMate's customary scopes: those that editors give to the kinds of words that
+/// the server names, so that nothing changes its colour when the server is there.
 const fn scope(space: Space) -> &'static str {
     match space {
         Space::Variable => "variable.other.scene",
-        Space::Object => "entity.name.function.object.scene",
-        Space::Material => "entity.name.type.material.scene",
-        Space::Light => "entity.name.tag.light.scene",
+        Space::Object => "entity.name.type.class.object.scene",
+        Space::Material => "variable.other.enummember.material.scene",
+        Space::Light => "entity.name.function.light.scene",
     }
 }
 
@@ -140,7 +141,7 @@ fn grammar() -> Value {
     for space in Space::ALL {
         let pattern = if space == Space::Variable {
             let names = SETTINGS.iter().flat_map(|row| [Some(row.name), row.alias]).flatten();
-            let settings = named("variable.language.setting.scene", &(any_of(names) + END));
+            let settings = named("variable.other.property.setting.scene", &(any_of(names) + END));
             json!({"patterns": [{"include": "#constant"}, settings, named(scope(space), NAME)]})
         } else {
             named(scope(space), NAME)
@@ -148,7 +149,7 @@ fn grammar() -> Value {
         repository.insert(space.noun().into(), pattern);
     }
     let bases = any_of(Base::ALL.iter().map(|(_, word)| *word));
-    repository.insert("bases".into(), named("support.type.base.scene", &(bases + END)));
+    repository.insert("bases".into(), named("keyword.control.base.scene", &(bases + END)));
     repository.insert(
         "constant".into(),
         named("constant.language.pi.scene", &format!("pi{END}")),

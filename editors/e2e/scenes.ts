@@ -1,0 +1,37 @@
+// The scenes that the tests open.
+
+/** A scene of these statements, small enough to be traced in no time. */
+export function scene(...statements: string[]): string {
+  return `${[...SETTINGS, ...statements].join("\n")}\n`;
+}
+
+const SETTINGS = [
+  "width := 120",
+  "height := 80",
+  "raydepth := 1",
+  "lookat_x := 0",
+  "lookat_y := 0",
+  "lookat_z := 0",
+  "eyepos_x := 0",
+  "eyepos_y := 0",
+  "eyepos_z := 4",
+  "ambient_r := 0.1",
+  "ambient_g := 0.1",
+  "ambient_b := 0.1",
+  "ambient_int_r := 1",
+  "ambient_int_g := 1",
+  "ambient_int_b := 1",
+];
+
+/** How many lines come before the statements. */
+export const HEAD = SETTINGS.length;
+
+/** A red ball in the middle of the picture, and an edit that comes too late. */
+export const BALL = scene(
+  "?red := 1 0.7 0 0 0 1 20 1 0 0",
+  "!ball := sphere",
+  "!ball ?= red",
+  "!ball <=",
+  "!ball += 0 1 0",
+  "*lamp := 0 0 9 1 1 1",
+);
