@@ -8,7 +8,7 @@ export function scene(...statements: string[]): string {
 const SETTINGS = [
   "width := 120",
   "height := 80",
-  "raydepth := 1",
+  "raydepth := 0",
   "lookat_x := 0",
   "lookat_y := 0",
   "lookat_z := 0",
@@ -28,7 +28,7 @@ export const HEAD = SETTINGS.length;
 
 /** A red ball in the middle of the picture, and an edit that comes too late. */
 export const BALL = scene(
-  "?red := 1 0.7 0 0 0 1 20 1 0 0",
+  "?red := 0.5 0.5 0 0 0 1 20 1 0 0",
   "!ball := sphere",
   "!ball ?= red",
   "!ball <=",

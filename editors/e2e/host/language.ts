@@ -87,7 +87,7 @@ export const tests: Tests = {
 
   async "signature help counts the values"() {
     const { document } = await open(BALL);
-    const position = at(document, "?red := 1 0.7 ", "?red := 1 0.7 ".length);
+    const position = at(document, "?red := 0.5 0.5 ", "?red := 0.5 0.5 ".length);
     const help = await until("a signature", () =>
       ask<vscode.SignatureHelp | undefined>("vscode.executeSignatureHelpProvider", document.uri, position),
     );
@@ -177,7 +177,7 @@ export const tests: Tests = {
     const { document } = await open(BALL);
     const [selection] = await until("selections", async () => {
       const found = await ask<vscode.SelectionRange[]>("vscode.executeSelectionRangeProvider", document.uri, [
-        at(document, "0.7"),
+        at(document, "0.5"),
       ]);
       return found.length > 0 && found;
     });
