@@ -72,6 +72,24 @@ impl Shape {
         self.inverse.row(0)
     }
 
+    /// A bound from below on the shortest half axis of a ball or ellipsoid.
+    #[must_use]
+    pub(crate) fn least_radius(&self) -> f64 {
+        let squares: f64 = self.inverse.to_cols_array().into_iter().map(|x| x * x).sum();
+        squares.sqrt().recip()
+    }
+
+    /// The cell in which the surface lies when its numbers are rounded to `steps` of its size, on a grid shifted by a part
+    /// of a step. A ball is an ellipsoid here, and a half-space its complement.
+    pub(crate) fn cell(&self, steps: f64, shift: f64) -> Key {
+        let kind = match self.kind {
+            ShapeKind::HalfSpace => ShapeKind::HalfSpace,
+            _ => ShapeKind::Ellipsoid,
+        };
+        let key = key(&Self { kind, ..*self }, Grid { steps, shift });
+        Key { turned: false, ..key }
+    }
+
     /// The shape after a translation by `-origin` and a scale.
     #[must_use]
     pub(crate) fn relative(&self, origin: DVec3, scale: f64) -> Self {
@@ -106,17 +124,39 @@ pub(crate) struct Shapes {
 /// A shape rounded to a grid of about 2^-40 of its own size: coarse enough for copies that were computed in another
 /// order, whose numbers differ by a few 2^-53, and far finer than single precision can tell apart.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
-struct Key {
+pub(crate) struct Key {
     kind: ShapeKind,
     turned: bool,
     numbers: [i64; 12],
+}
+
+/// What a shape's numbers are rounded to.
+#[derive(Clone, Copy)]
+struct Grid {
+    /// Steps in the size of what is rounded.
+    steps: f64,
+    /// By what part of a step the grid is shifted.
+    shift: f64,
+}
+
+impl Grid {
+    /// Where copies that were computed in another order meet.
+    const SAME: Self = Self {
+        steps: (1_u64 << 40) as f64,
+        shift: 0.0,
+    };
+
+    fn step(self, value: f64, size: f64) -> i64 {
+        // At most about 2^42 in size, so the cast is exact.
+        (value / size * self.steps + self.shift).round() as i64
+    }
 }
 
 impl Shapes {
     /// The number of the leaf's shape.
     pub(crate) fn intern(&mut self, leaf: &Leaf) -> u32 {
         let shape = canonical(leaf);
-        let key = key(&shape);
+        let key = key(&shape, Grid::SAME);
         if let Some(known) = self.by_key.get(&key) {
             return *known;
         }
@@ -195,7 +235,8 @@ fn radius(linear: &DMat3) -> Option<f64> {
     round.then(|| if exact { plain } else { square.sqrt() * largest })
 }
 
-fn key(shape: &Shape) -> Key {
+fn key(shape: &Shape, grid_of: Grid) -> Key {
+    let step = |value, size| grid_of.step(value, size);
     let (turned, numbers) = match shape.kind {
         ShapeKind::HalfSpace => {
             let normal = shape.normal();
@@ -284,11 +325,6 @@ fn grid(size: f64) -> f64 {
 /// Which power of two a grid is: without it, a shape and another one twice as large and twice as far would be one.
 fn power(grid: f64) -> i64 {
     grid.log2() as i64
-}
-
-fn step(value: f64, size: f64) -> i64 {
-    // At most about 2^42 in size, so the cast is exact.
-    (value / size * 40.0_f64.exp2()).round() as i64
 }
 
 fn unit(v: DVec3) -> DVec3 {

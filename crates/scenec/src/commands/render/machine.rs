@@ -13,7 +13,11 @@ use crate::failure::Failure;
 use crate::progress;
 use crate::values::named;
 
-const PRECISIONS: &[(Precision, &str)] = &[(Precision::F32, "f32"), (Precision::F64, "f64")];
+const PRECISIONS: &[(Option<Precision>, &str)] = &[
+    (None, "auto"),
+    (Some(Precision::F32), "f32"),
+    (Some(Precision::F64), "f64"),
+];
 
 /// Arguments about what computes.
 #[derive(Args, Debug)]
@@ -27,9 +31,12 @@ pub(super) struct MachineOptions {
     /// `scenec devices` lists under that number or with that text in its name.
     #[arg(long, value_name = "DEVICE", default_value = "auto", value_parser = Choice::parse)]
     device: Choice,
-    /// The numbers to compute with; the reference tracer always takes f64
-    #[arg(long, value_name = "TYPE", default_value = "f32", value_parser = named(PRECISIONS))]
-    precision: Precision,
+    /// The numbers to compute with: `auto`, `f32` or `f64`; the reference tracer always takes f64
+    ///
+    /// `auto` takes f32 unless the scene shows before it is traced that f32 can't tell it: an eye too far away for its
+    /// field of view, surfaces that almost coincide, sizes that span too much.
+    #[arg(long, value_name = "TYPE", default_value = "auto", value_parser = named(PRECISIONS))]
+    precision: Option<Precision>,
     /// Threads of the built-in tracers; as many as the machine has unless given
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
@@ -78,7 +85,7 @@ pub(super) struct Attempt<'a> {
     pub(super) clock: &'a mut Clock,
     /// Whether progress is to be shown.
     pub(super) progress: bool,
-    /// Told, once, why the device that serves best does not.
+    /// Told what a person should know about how the picture comes about.
     pub(super) warn: fn(&str),
 }
 
@@ -94,40 +101,69 @@ impl Attempt<'_> {
             return self.finish(&mut tracer, None, None);
         }
         let plan = plan(scene).map_err(|error| Failure::Unusable(format!("the scene can't be traced: {error}")))?;
+        let precision = self.precision(&plan);
         self.clock.lap("plan");
         match choice {
-            Choice::OpenCl(request) => self.opencl(select(request, discover())?, plan),
-            Choice::Auto => match self.options.best() {
-                Some(info) => match self.opencl(info, plan.clone()) {
+            Choice::OpenCl(request) => {
+                let info = select(request, discover())?;
+                let precision = self.on_device(info, precision);
+                self.opencl(info, plan, precision)
+            }
+            Choice::Auto => match best(precision) {
+                Some(info) => match self.opencl(info, plan.clone(), precision) {
                     Err(Failure::Device(reason)) if !self.request.watch.stopped() => {
                         // A compiler's log has many more lines.
                         let reason = reason.lines().next().unwrap_or_default();
                         (self.warn)(&format!("{} failed, so the cpu takes over: {reason}", info.name));
-                        self.cpu(plan)
+                        self.cpu(plan, precision)
                     }
                     outcome => outcome,
                 },
-                None => self.cpu(plan),
+                None => self.cpu(plan, precision),
             },
-            Choice::Cpu | Choice::Reference => self.cpu(plan),
+            Choice::Cpu | Choice::Reference => self.cpu(plan, precision),
         }
     }
 
-    fn cpu(&mut self, plan: Plan) -> Result<Traced, Failure> {
+    /// The precision that was asked for, or the one that the plan asks for.
+    fn precision(&self, plan: &Plan) -> Precision {
+        match (self.options.precision, plan.beyond_single()) {
+            (None, Some(reason)) => {
+                (self.warn)(&format!("f64 is taken, since {reason}"));
+                Precision::F64
+            }
+            (Some(Precision::F32), Some(reason)) => {
+                (self.warn)(&format!("{reason}; --precision f64 can tell it"));
+                Precision::F32
+            }
+            (asked, _) => asked.unwrap_or(Precision::F32),
+        }
+    }
+
+    /// The same on a device that somebody insists on, which may not have doubles.
+    fn on_device(&self, info: &DeviceInfo, precision: Precision) -> Precision {
+        if precision == Precision::F64 && self.options.precision.is_none() && !info.has_f64 {
+            (self.warn)(&format!("{} has no f64, so f32 has to do", info.name));
+            return Precision::F32;
+        }
+        precision
+    }
+
+    fn cpu(&mut self, plan: Plan, precision: Precision) -> Result<Traced, Failure> {
         let threads = self.options.threads.unwrap_or(0).into();
-        match self.options.precision {
+        match precision {
             Precision::F32 => self.finish(&mut Cpu::<f32>::new(&plan, threads)?, Some(plan), None),
             Precision::F64 => self.finish(&mut Cpu::<f64>::new(&plan, threads)?, Some(plan), None),
         }
     }
 
-    fn opencl(&mut self, info: &DeviceInfo, plan: Plan) -> Result<Traced, Failure> {
+    fn opencl(&mut self, info: &DeviceInfo, plan: Plan, precision: Precision) -> Result<Traced, Failure> {
         let features = if self.options.generic {
             Features::generic(&plan)
         } else {
             Features::of(&plan)
         };
-        let mut tracer = scenec_device::tracer(info, &plan, self.options.precision, &features)?;
+        let mut tracer = scenec_device::tracer(info, &plan, precision, &features)?;
         let outcome = self.finish(tracer.as_mut(), Some(plan), Some(features));
         drop(tracer);
         self.clock.lap("release");
@@ -159,11 +195,9 @@ impl Attempt<'_> {
     }
 }
 
-impl MachineOptions {
-    /// The GPU that `auto` takes, if one can do what is asked.
-    fn best(&self) -> Option<&'static DeviceInfo> {
-        scenec_device::gpu(discover()).filter(|info| self.precision == Precision::F32 || info.has_f64)
-    }
+/// The GPU that `auto` takes, if one can do what is asked.
+fn best(precision: Precision) -> Option<&'static DeviceInfo> {
+    scenec_device::gpu(discover()).filter(|info| precision == Precision::F32 || info.has_f64)
 }
 
 #[cfg(test)]

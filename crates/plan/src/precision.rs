@@ -1,0 +1,119 @@
+//! Whether single precision can tell what a plan describes, found out before anything is traced.
+
+use std::collections::HashMap;
+use std::fmt;
+
+use crate::Plan;
+use crate::shapes::{Shape, ShapeKind};
+
+/// Why single precision does not suffice for a plan.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum BeyondSingle {
+    /// A surface, seen from the eye, may lie this many pixels beside its place.
+    Displaced {
+        /// A bound on how many.
+        pixels: f64,
+        /// The scene's number of the solid that it belongs to.
+        solid: u32,
+    },
+    /// Two surfaces that are not the same differ by less than single precision keeps apart.
+    NearlyCoincident {
+        /// The scene's numbers of the solids that they belong to.
+        solids: (u32, u32),
+    },
+    /// A surface is so large or so flat that its numbers leave the range of singles.
+    OutOfRange,
+}
+
+impl fmt::Display for BeyondSingle {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Displaced { pixels, .. } if *pixels > 1000.0 => {
+                f.write_str("f32 could place a surface anywhere in the picture")
+            }
+            Self::Displaced { pixels, .. } => {
+                write!(f, "f32 could place a surface {pixels:.1} pixels beside where it is")
+            }
+            Self::NearlyCoincident { .. } => f.write_str("two surfaces lie closer together than f32 can tell"),
+            Self::OutOfRange => f.write_str("the sizes in the scene span more than f32 can hold"),
+        }
+    }
+}
+
+/// The most that an outline may be displaced, in pixels, before doubles are called for: well below what one sample in a
+/// pixel's centre can show.
+const TOLERANCE: f64 = 1.0 / 16.0;
+
+/// The grid on which surfaces count as nearly coincident, in steps of their size: 64 roundings of single precision each. An
+/// intersection is off by a handful of roundings of each of two surfaces, and its point by as much again.
+const NEAR: f64 = (1 << 18) as f64;
+
+/// The largest number that single precision may meet in a shape: an intersection multiplies up to two of them.
+const LARGEST: f64 = (1_u64 << 60) as f64;
+
+/// Half the distance from 1 to the next single.
+const UNIT: f64 = 1.0 / (1 << 24) as f64;
+
+impl Plan {
+    /// Why single precision does not suffice for this plan, if it does not. A plan that passes has every outline, as the
+    /// eye sees it, within a sixteenth of a pixel, and no two surfaces that single precision might confuse; what mirrors
+    /// and glass make of that is magnified by them, in any precision.
+    #[must_use]
+    pub fn beyond_single(&self) -> Option<BeyondSingle> {
+        if !self.shapes.iter().all(in_range) {
+            return Some(BeyondSingle::OutOfRange);
+        }
+        let displaced = |leaf: &crate::Leaf| {
+            let pixels = self.displacement(&self.shapes[leaf.shape as usize]);
+            (pixels > TOLERANCE).then_some(BeyondSingle::Displaced {
+                pixels,
+                solid: leaf.solid,
+            })
+        };
+        self.leaves
+            .iter()
+            .find_map(displaced)
+            .or_else(|| self.nearly_coincident())
+    }
+
+    /// How many pixels beside its place a surface may appear in single precision: the eye, the surface's centre and the
+    /// ray's direction are each rounded once, which moves the surface by u times their sizes, as seen over the least
+    /// distance from which the eye can see it.
+    fn displacement(&self, shape: &Shape) -> f64 {
+        let view = &self.view;
+        let pixel = 2.0 * view.right.length() / f64::from(view.width);
+        let moved = UNIT * (shape.centre.length() + view.eye.length());
+        let offset = view.eye - shape.centre;
+        let distance = match shape.kind {
+            ShapeKind::HalfSpace => shape.normal().dot(offset).abs(),
+            _ => ((shape.inverse * offset).length() - 1.0).abs() * shape.least_radius(),
+        };
+        (UNIT + moved / distance) / pixel
+    }
+
+    /// The first two surfaces that are not the same, and yet nearly.
+    fn nearly_coincident(&self) -> Option<BeyondSingle> {
+        // On each of two grids, half a step apart: numbers that differ by less than half a step share a cell of one.
+        [0.0, 0.5].into_iter().find_map(|shift| {
+            let mut cells: HashMap<_, (u32, u32)> = HashMap::with_capacity(self.leaves.len());
+            self.leaves.iter().find_map(|leaf| {
+                let shape = &self.shapes[leaf.shape as usize];
+                let (class, solid) = *cells
+                    .entry(shape.cell(NEAR, shift))
+                    .or_insert((shape.class, leaf.solid));
+                (class != shape.class).then_some(BeyondSingle::NearlyCoincident {
+                    solids: (solid, leaf.solid),
+                })
+            })
+        })
+    }
+}
+
+fn in_range(shape: &Shape) -> bool {
+    let matrices = shape
+        .inverse
+        .to_cols_array()
+        .into_iter()
+        .chain(shape.linear.to_cols_array());
+    matrices.chain(shape.centre.to_array()).all(|x| x.abs() <= LARGEST)
+}
