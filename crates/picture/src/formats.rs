@@ -87,6 +87,18 @@ impl fmt::Display for Depth {
     }
 }
 
+/// Writes rows of a picture as 32-bit floats, the lower byte first.
+fn write_floats(picture: &Picture, rows: impl Iterator<Item = u32>, out: &mut dyn Sink) -> Result<(), EncodeError> {
+    let mut line = Vec::new();
+    for row in rows {
+        line.clear();
+        let values = picture.row(row).as_flattened();
+        line.extend(values.iter().flat_map(|value| value.to_le_bytes()));
+        out.write_all(&line)?;
+    }
+    Ok(())
+}
+
 /// A format that pictures are written in.
 #[derive(Clone, Copy)]
 pub struct Format(&'static Row);

@@ -1,6 +1,6 @@
 //! PFM, the portable float map: a text header, then 32-bit floats, rows from the bottom.
 
-use super::{Depth, Row, Sink, Source};
+use super::{Depth, Row, Sink, Source, write_floats};
 use crate::{EncodeError, Encoding, LoadError, Picture};
 
 pub(super) const ROW: Row = Row {
@@ -16,19 +16,7 @@ pub(super) const ROW: Row = Row {
 fn write(picture: &Picture, _: &Encoding, out: &mut dyn Sink) -> Result<(), EncodeError> {
     // A negative scale says that the lower byte comes first.
     write!(out, "PF\n{} {}\n-1.0\n", picture.width(), picture.height())?;
-    let mut line = Vec::new();
-    for row in (0..picture.height()).rev() {
-        line.clear();
-        line.extend(
-            picture
-                .row(row)
-                .as_flattened()
-                .iter()
-                .flat_map(|value| value.to_le_bytes()),
-        );
-        out.write_all(&line)?;
-    }
-    Ok(())
+    write_floats(picture, (0..picture.height()).rev(), out)
 }
 
 fn read(from: &mut dyn Source) -> Result<Picture, LoadError> {

@@ -1,6 +1,6 @@
 //! Bare numbers: 32-bit floats, the lower byte first, red green blue, rows from the top, no header.
 
-use super::{Depth, Row, Sink};
+use super::{Depth, Row, Sink, write_floats};
 use crate::{EncodeError, Encoding, LoadError, Picture};
 
 pub(super) const ROW: Row = Row {
@@ -18,17 +18,5 @@ pub(super) const ROW: Row = Row {
 };
 
 fn write(picture: &Picture, _: &Encoding, out: &mut dyn Sink) -> Result<(), EncodeError> {
-    let mut line = Vec::new();
-    for row in 0..picture.height() {
-        line.clear();
-        line.extend(
-            picture
-                .row(row)
-                .as_flattened()
-                .iter()
-                .flat_map(|value| value.to_le_bytes()),
-        );
-        out.write_all(&line)?;
-    }
-    Ok(())
+    write_floats(picture, 0..picture.height(), out)
 }
