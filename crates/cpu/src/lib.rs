@@ -17,7 +17,7 @@ use std::ops::Range;
 use rayon::ThreadPool;
 use rayon::prelude::*;
 use scenec_picture::{Exact, Frame, NOTHING, Picture, Request, Stats, TraceError, Tracer};
-use scenec_plan::{Packed, Plan, Real};
+use scenec_plan::{Packed, Plan, Real, in_singles};
 
 use pixel::Pixel;
 
@@ -65,11 +65,9 @@ impl<R: Real> Tracer for Cpu<R> {
         let mut ids = request.layers.ids.then(|| vec![NOTHING; count]);
         let mut exact = request.layers.exact.then(|| vec![[0.0; 3]; count]);
 
-        let frame = &mut self.scene.frame;
-        (frame.window_x, frame.window_y) = (window.x, window.y);
-        (frame.window_width, frame.window_height) = (window.width, window.height);
-        frame.cutoff = R::of(request.limits.cutoff);
-        frame.ray_budget = request.limits.ray_budget.max(1);
+        let (corner, size) = ([window.x, window.y], [window.width, window.height]);
+        let limits = request.limits;
+        self.scene.frame.ask(corner, size, limits.cutoff, limits.ray_budget);
 
         let scene = &self.scene;
         let run = (RUN_SAMPLES / scene.samples.len().max(1)).max(1);
@@ -127,15 +125,10 @@ fn runs<'a>(
         .collect()
 }
 
-/// The nearest finite single: colours beyond the range of the picture's numbers end at its bounds.
-fn finite<R: Real>(value: R) -> f32 {
-    value.to_f32().clamp(f32::MIN, f32::MAX)
-}
-
 impl Run<'_> {
     fn store<R: Real>(self, pixels: &[Pixel<R>]) {
         for (to, pixel) in self.picture.iter_mut().zip(pixels) {
-            *to = pixel.colour.map(finite);
+            *to = in_singles(pixel.colour);
         }
         for (to, pixel) in self.ids.into_iter().flatten().zip(pixels) {
             *to = pixel.solid;

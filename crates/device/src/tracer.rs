@@ -2,7 +2,7 @@
 
 use scenec_picture::{Exact, Frame, NOTHING, Picture, Request, Stats, TraceError, Tracer};
 use scenec_plan::packed_structs::{self, Outcome};
-use scenec_plan::{Features, Packed, Plan, Real};
+use scenec_plan::{Features, Packed, Plan, Real, in_singles};
 
 use crate::assemble::{Precision, options, source};
 use crate::buffer::{Arg, Buffer};
@@ -136,10 +136,9 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
         let mut ids = request.layers.ids.then(|| vec![NOTHING; count]);
         let mut exact: Option<Exact> = request.layers.exact.then(|| vec![[0.0; 3]; count]);
 
-        (self.frame.window_x, self.frame.window_y) = (window.x, window.y);
-        (self.frame.window_width, self.frame.window_height) = (window.width, window.height);
-        self.frame.cutoff = R::of(request.limits.cutoff);
-        self.frame.ray_budget = request.limits.ray_budget.max(1);
+        let (corner, size) = ([window.x, window.y], [window.width, window.height]);
+        let limits = request.limits;
+        self.frame.ask(corner, size, limits.cutoff, limits.ray_budget);
 
         let rows = band_rows(window.width, self.frame.samples);
         let size = rows.min(window.height) as usize * window.width as usize;
@@ -160,8 +159,7 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
             let kernel_ns = Some(self.band(&frame, &outcomes, first, end).map_err(failed)?);
             self.session.read(&outcomes, 0, done).map_err(failed)?;
             for (i, outcome) in done.iter().enumerate() {
-                // Colours beyond the range of the picture's numbers end at its bounds.
-                picture.pixels_mut()[at + i] = outcome.colour.map(|x| x.to_f32().clamp(f32::MIN, f32::MAX));
+                picture.pixels_mut()[at + i] = in_singles(outcome.colour);
                 if let Some(ids) = &mut ids {
                     ids[at + i] = outcome.solid;
                 }

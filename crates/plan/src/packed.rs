@@ -415,6 +415,17 @@ impl Plan {
     }
 }
 
+impl<R: Real> Frame<R> {
+    /// Sets what one request asks for: the window's first column and row, its columns and rows, the weight below which a
+    /// branch is dropped, and the most rays of a pixel, of which there is at least one.
+    pub fn ask(&mut self, corner: [u32; 2], size: [u32; 2], cutoff: f64, ray_budget: u32) {
+        [self.window_x, self.window_y] = corner;
+        [self.window_width, self.window_height] = size;
+        self.cutoff = R::of(cutoff);
+        self.ray_budget = ray_budget.max(1);
+    }
+}
+
 impl<R> Packed<R> {
     fn counted(mut self, uint: impl Fn(usize) -> u32) -> Self {
         self.frame.samples = uint(self.samples.len());

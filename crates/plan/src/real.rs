@@ -63,6 +63,12 @@ pub trait Real:
     fn ln_1p(self) -> Self;
 }
 
+/// A colour as pictures hold it: what lies beyond the range of a single ends at its bounds.
+#[must_use]
+pub fn in_singles<R: Real>(colour: [R; 3]) -> [f32; 3] {
+    colour.map(|part| part.to_f32().clamp(f32::MIN, f32::MAX))
+}
+
 macro_rules! real {
     ($type:ident, $name:literal) => {
         impl Real for $type {
