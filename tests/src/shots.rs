@@ -86,29 +86,37 @@ pub fn shots_of(scene: &Scene, window: Window, limits: Limits) -> Vec<Shot> {
             Err(error) => panic!("{}: {error}", info.name),
         }
     }
-    let watch = Watch::new();
+    let shoot = |(mut tracer, single): (Box<dyn Tracer>, bool)| Shot {
+        frame: frame(&mut *tracer, window, limits, false),
+        tracer: tracer.name(),
+        single,
+    };
+    tracers.into_iter().map(shoot).collect()
+}
+
+/// A part of the picture by one tracer, with its leaves, in doubles where it has them, and with its paths if asked for.
+///
+/// # Panics
+/// If the tracer fails, or the picture holds anything but finite numbers.
+#[must_use]
+pub fn frame(tracer: &mut dyn Tracer, window: Window, limits: Limits, paths: bool) -> Frame {
     let request = Request {
         window,
         limits,
         layers: Layers {
             ids: true,
             exact: true,
-            paths: false,
+            paths,
         },
-        watch: &watch,
+        watch: &Watch::new(),
     };
-    let shoot = |(mut tracer, single): (Box<dyn Tracer>, bool)| match tracer.trace(&request) {
+    match tracer.trace(&request) {
         Ok(frame) => {
             assert_eq!(frame.picture.non_finite(), 0, "{}", tracer.name());
-            Shot {
-                tracer: tracer.name(),
-                single,
-                frame,
-            }
+            frame
         }
         Err(error) => panic!("{}: {error}", tracer.name()),
-    };
-    tracers.into_iter().map(shoot).collect()
+    }
 }
 
 /// The camera, from the definition of its view and nothing else: no tracer's code.

@@ -10,33 +10,19 @@
 
 use scenec_cpu::Cpu;
 use scenec_device::{DeviceInfo, Precision, tracer};
-use scenec_picture::{Frame, Layers, Limits, Request, Tracer, Watch, Window};
+use scenec_picture::{Frame, Limits, Tracer, Window};
 use scenec_plan::{Features, Plan, plan};
 use scenec_reference::Reference;
 use scenec_scene::Scene;
-use scenec_tests::{Mask, compare, device, gallery, random_scene, scene};
+use scenec_tests::{Mask, compare, device, frame, gallery, random_scene, scene};
 
 /// How far colours may be apart on calm pixels.
 const F64: f64 = 1e-9;
 const F32: f64 = 1.0 / 255.0;
 
-fn frame(tracer: &mut dyn Tracer, scene: &Scene, paths: bool) -> Frame {
-    let watch = Watch::new();
-    let request = Request {
-        window: Window::whole(scene.settings.width, scene.settings.height),
-        limits: Limits::NO_CUTOFF,
-        layers: Layers {
-            ids: true,
-            exact: true,
-            paths,
-        },
-        watch: &watch,
-    };
-    let frame = tracer
-        .trace(&request)
-        .unwrap_or_else(|error| panic!("{}: {error}", tracer.name()));
-    assert_eq!(frame.picture.non_finite(), 0, "{}", tracer.name());
-    frame
+fn whole(tracer: &mut dyn Tracer, scene: &Scene, paths: bool) -> Frame {
+    let window = Window::whole(scene.settings.width, scene.settings.height);
+    frame(tracer, window, Limits::NO_CUTOFF, paths)
 }
 
 struct Judge {
@@ -49,7 +35,7 @@ struct Judge {
 
 impl Judge {
     fn new(name: &str, scene: Scene) -> Self {
-        let truth = frame(&mut Reference::new(&scene), &scene, true);
+        let truth = whole(&mut Reference::new(&scene), &scene, true);
         let mask = Mask::of(&truth);
         Self {
             name: name.to_owned(),
@@ -61,7 +47,7 @@ impl Judge {
     }
 
     fn check(&self, tracer: &mut dyn Tracer, tolerance: f64) -> Frame {
-        let mut frame = frame(tracer, &self.scene, false);
+        let mut frame = whole(tracer, &self.scene, false);
         if tolerance == F32 {
             frame.exact = None;
         }

@@ -5,10 +5,10 @@
 use std::collections::BTreeMap;
 
 use scenec_lint::check;
-use scenec_picture::{Frame, Layers, Limits, NOTHING, Request, Tracer, Watch, Window};
+use scenec_picture::{Frame, Limits, NOTHING, Window};
 use scenec_reference::Reference;
 use scenec_scene::{Base, DVec3, Op, Scene, SolidId, SolidKind};
-use scenec_tests::{random_scene, scene};
+use scenec_tests::{frame, random_scene, scene};
 use scenec_text::{Code, Diagnostic, SourceFile};
 
 /// Where scenes are looked at from, besides their own eye.
@@ -23,17 +23,8 @@ fn findings(text: &str) -> Vec<Diagnostic> {
 }
 
 fn trace(scene: &Scene) -> Frame {
-    let request = Request {
-        window: Window::whole(scene.settings.width, scene.settings.height),
-        limits: Limits::NO_CUTOFF,
-        layers: Layers {
-            ids: true,
-            exact: true,
-            paths: false,
-        },
-        watch: &Watch::default(),
-    };
-    Reference::new(scene).trace(&request).unwrap()
+    let window = Window::whole(scene.settings.width, scene.settings.height);
+    frame(&mut Reference::new(scene), window, Limits::NO_CUTOFF, false)
 }
 
 /// Small pictures of a text's scene from its own eye and from others.
