@@ -20,11 +20,10 @@ pub(crate) fn finish(mut state: State<'_>, last: Option<Span>) -> (Interpretatio
     let mut suggestions = Suggestions::new();
     unknown::report(&mut state, &mut suggestions);
     unused::report(&mut state, &mut suggestions);
-    let settings = settings::gather(&mut state, last);
+    let (settings, complete) = settings::gather(&mut state, last);
     let root = submission::check(&mut state, last);
-    if let Some(settings) = &settings {
-        camera::check(&mut state, settings);
-    }
+    camera::check(&mut state, &settings);
+    let settings = complete.then_some(settings);
     let mut diagnostics = state.diagnostics;
     diagnostics.sort_by_key(|finding| finding.span().start);
     let mut fragments = Fragments::default();
@@ -37,8 +36,9 @@ pub(crate) fn finish(mut state: State<'_>, last: Option<Span>) -> (Interpretatio
             steps: state.steps,
             root,
         }),
-        _ => {
+        (settings, _) => {
             fragments = Fragments {
+                settings,
                 materials: state.materials,
                 lights: state.lights,
                 steps: state.steps,

@@ -1,6 +1,6 @@
 //! One pass over the lines, then the end of the file.
 
-use scenec_scene::{Light, Material, Scene, Step};
+use scenec_scene::{Light, Material, Scene, Settings, Step};
 use scenec_syntax::{Content, Line, parse};
 use scenec_text::{Diagnostic, SourceFile};
 
@@ -21,6 +21,8 @@ pub struct Interpretation {
 /// The parts of a scene that never came to be, as in a [`Scene`]: what its statements say is known all the same.
 #[derive(Clone, Debug, Default)]
 pub struct Fragments {
+    /// The settings, if all of them are there and in range.
+    pub settings: Option<Settings>,
     /// Every material ever defined; number 0 is the default one.
     pub materials: Vec<Material>,
     /// The lights as they stand at the end of the file.

@@ -1,18 +1,20 @@
 //! What the rules read: the file in all its stages, and facts about it that are worked out once, when first asked for.
 
 mod reach;
+mod spoilt;
 mod uses;
 
 use std::cell::OnceCell;
 
 use scenec_interpret::{Definition, DefinitionId, Interpretation, Occurrence, Role, SymbolId};
-use scenec_scene::{Light, Material, Scene, SettingInfo, Step};
+use scenec_scene::{Base, Light, Material, Scene, SettingInfo, Settings, Step};
 use scenec_syntax::{Content, Line, Space, Statement};
 use scenec_text::{SourceFile, Span};
 
 use crate::geometry::Geometry;
 
 pub(crate) use reach::Reach;
+use spoilt::Spoilt;
 use uses::Uses;
 
 /// One file in all its stages.
@@ -23,6 +25,7 @@ pub(crate) struct Context<'a> {
     reach: OnceCell<Option<Reach>>,
     geometry: OnceCell<Geometry>,
     uses: OnceCell<Uses>,
+    spoilt: OnceCell<Spoilt<'a>>,
 }
 
 /// A statement with the names on it.
@@ -43,6 +46,7 @@ impl<'a> Context<'a> {
             reach: OnceCell::new(),
             geometry: OnceCell::new(),
             uses: OnceCell::new(),
+            spoilt: OnceCell::new(),
         }
     }
 
@@ -53,6 +57,12 @@ impl<'a> Context<'a> {
     /// The scene, if the file has no error.
     pub(crate) const fn scene(&self) -> Option<&'a Scene> {
         self.interpretation.scene.as_ref()
+    }
+
+    /// The settings, if all of them are given and in range, whatever else is wrong with the file.
+    pub(crate) fn settings(&self) -> Option<&'a Settings> {
+        let fragments = self.interpretation.fragments.settings.as_ref();
+        self.scene().map_or(fragments, |scene| Some(&scene.settings))
     }
 
     /// Every material that a statement defines, those of a file with errors too.
@@ -87,6 +97,25 @@ impl<'a> Context<'a> {
     /// What the submitted object is made of; `None` where there is no scene.
     pub(crate) fn reach(&self) -> Option<&Reach> {
         self.reach.get_or_init(|| self.scene().map(Reach::of)).as_ref()
+    }
+
+    /// The base object that the transform with this number moved, if that is part of the submitted object. In a file with
+    /// errors: if none of them can have to do with the object.
+    pub(crate) fn moved(&self, step: usize) -> Option<Base> {
+        match self.reach() {
+            Some(reach) => reach.step(step),
+            None => self.spoilt().moved(step),
+        }
+    }
+
+    /// Whether an error may have to do with nothing using a name of this space: a line that was to use it, or that was to
+    /// submit what uses it.
+    pub(crate) fn may_be_used(&self, space: Space, name: &str) -> bool {
+        self.scene().is_none() && self.spoilt().may_use(space, name)
+    }
+
+    fn spoilt(&self) -> &Spoilt<'a> {
+        self.spoilt.get_or_init(|| Spoilt::of(self))
     }
 
     /// The scene with what is certain about its geometry.

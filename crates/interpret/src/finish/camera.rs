@@ -3,16 +3,18 @@
 use scenec_scene::{DVec3, Settings, View, view};
 use scenec_text::{Code, Diagnostic, Span};
 
+use super::settings::known;
 use crate::state::State;
 
 const EYE: [&str; 3] = ["eyepos_x", "eyepos_y", "eyepos_z"];
 const LOOKAT: [&str; 3] = ["lookat_x", "lookat_y", "lookat_z"];
 const UP: [&str; 3] = ["up_x", "up_y", "up_z"];
 
-/// Reports what keeps the camera from having a frame of its own. Every setting is present and in range.
+/// Reports what keeps the camera from having a frame of its own, as far as the settings that tell are known.
 pub(super) fn check(state: &mut State<'_>, settings: &Settings) {
+    let [eye_known, lookat_known, up_known] = [EYE, LOOKAT, UP].map(|names| known(state, &names));
     let (eye, lookat, up) = (last_line(state, EYE), last_line(state, LOOKAT), last_line(state, UP));
-    if settings.up == DVec3::ZERO {
+    if up_known && settings.up == DVec3::ZERO {
         state.report(
             Diagnostic::new(
                 Code::ZeroUp,
@@ -23,8 +25,12 @@ pub(super) fn check(state: &mut State<'_>, settings: &Settings) {
             .help("remove the three to have y point up"),
         );
     }
+    if !eye_known || !lookat_known {
+        return;
+    }
     let finding = match view(settings) {
         View::Clear(_) | View::NoUp => return,
+        View::AlongUp(_) if !up_known => return,
         View::NoDirection if settings.eyepos == settings.lookat => Diagnostic::new(
             Code::EyeAtLookat,
             "the camera stands at the point that it looks at",

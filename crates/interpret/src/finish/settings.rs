@@ -1,6 +1,6 @@
 //! The settings, as they stand at the end of the file.
 
-use scenec_scene::{SETTINGS, SettingInfo, Settings};
+use scenec_scene::{Material, SETTINGS, SettingInfo, Settings};
 use scenec_text::{Code, Diagnostic, Span};
 
 use crate::bindings::Variable;
@@ -26,8 +26,9 @@ const EXAMPLES: &[(&str, &str)] = &[
     ("raydepth", "4"),
 ];
 
-/// The settings in range; `None` where one is missing, out of range or spoilt by an error. Reports the first two.
-pub(super) fn gather(state: &mut State<'_>, last: Span) -> Option<Settings> {
+/// The settings, and whether each of them is given and in range; where not, another value stands for it. Reports what is
+/// missing or out of range.
+pub(super) fn gather(state: &mut State<'_>, last: Span) -> (Settings, bool) {
     let mut findings = Vec::new();
     let mut missing = Vec::new();
     let mut complete = true;
@@ -49,13 +50,25 @@ pub(super) fn gather(state: &mut State<'_>, last: Span) -> Option<Settings> {
         }
     }
     if !missing.is_empty() {
-        findings.push(report_missing(state.text, &missing, last));
+        findings.push(report_missing(state, &missing, last));
         complete = false;
     }
     for finding in findings {
         state.report(finding);
     }
-    complete.then(|| Settings::gather(|name| value(state, name)))
+    (Settings::gather(|name| value(state, name)), complete)
+}
+
+/// Whether these settings are as the file wants them, by its own words or by default, and in range.
+pub(super) fn known(state: &State<'_>, names: &[&str]) -> bool {
+    let known = |name: &&str| {
+        scenec_scene::setting(name).is_some_and(|row| match found(state, row) {
+            Found::Value(variable) => row.range.holds(variable.value),
+            Found::Missing(_) => row.default.is_some(),
+            Found::Twice(..) | Found::Poisoned => false,
+        })
+    };
+    names.iter().all(known)
 }
 
 enum Found<'s> {
@@ -80,8 +93,7 @@ fn found<'s>(state: &'s State<'_>, row: &SettingInfo) -> Found<'s> {
 }
 
 fn value(state: &State<'_>, name: &str) -> Option<f64> {
-    let row = scenec_scene::setting(name)?;
-    match found(state, row) {
+    match found(state, scenec_scene::setting(name)?) {
         Found::Value(variable) => Some(variable.value),
         _ => None,
     }
@@ -121,7 +133,7 @@ fn twice(row: &SettingInfo, name: &Variable, alias: &Variable) -> Diagnostic {
     .help("remove one of the two")
 }
 
-fn report_missing(text: &str, missing: &[(&SettingInfo, Option<Span>)], last: Span) -> Diagnostic {
+fn report_missing(state: &State<'_>, missing: &[(&SettingInfo, Option<Span>)], last: Span) -> Diagnostic {
     let names: Vec<_> = missing.iter().map(|(row, _)| format!("`{}`", row.name)).collect();
     let message = match names.as_slice() {
         [one] => format!("the setting {one} is missing"),
@@ -138,15 +150,21 @@ fn report_missing(text: &str, missing: &[(&SettingInfo, Option<Span>)], last: Sp
             finding = finding.label(*ignored, format!("this would have set `{}`, but was ignored", row.name));
         }
     }
-    if text.contains('\r') && !text.contains('\n') {
+    if state.text.contains('\r') && !state.text.contains('\n') {
         // All of it is one line, which a comment may have swallowed.
         return finding.help(
             "lines end at a line feed, and this file has carriage returns alone: save it with LF or CRLF line ends",
         );
     }
+    let bounces = |material: &Material| material.reflect != 0.0 || material.refract != 0.0;
+    let bounces = state.materials.iter().any(bounces);
     let lines: Vec<_> = missing
         .iter()
-        .map(|(row, _)| format!("{} := {}", row.name, example(row.name)))
+        .map(|(row, _)| match row.name {
+            // More would be of no use to anything in the file.
+            "raydepth" if !bounces => "raydepth := 0".to_owned(),
+            name => format!("{name} := {}", example(name)),
+        })
         .collect();
     finding.help(format!("add, with values of your own:\n{}", lines.join("\n")))
 }

@@ -118,13 +118,12 @@ fn idle(kind: StepKind) -> bool {
 }
 
 fn check(context: &Context<'_>, findings: &mut Findings) {
-    let Some(reach) = context.reach() else { return };
     let mut after: Vec<Known> = Vec::with_capacity(context.steps().len());
     for (index, step) in context.steps().iter().enumerate() {
         let previous = step.previous.and_then(|id| after.get(id.index()));
         let before = previous.copied().unwrap_or(UNTOUCHED);
         after.push(before.after(step.kind));
-        let reason = reach.step(index).and_then(|base| before.reason(base, step.kind));
+        let reason = context.moved(index).and_then(|base| before.reason(base, step.kind));
         if let Some(reason) = reason.filter(|_| !idle(step.kind) && !shared(context, step.span)) {
             let mut finding = Diagnostic::new(
                 Code::EffectlessTransform,

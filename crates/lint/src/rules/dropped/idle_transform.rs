@@ -32,10 +32,9 @@ rule! {
 }
 
 fn check(context: &Context<'_>, findings: &mut Findings) {
-    let Some(reach) = context.reach() else { return };
     for (index, step) in context.steps().iter().enumerate() {
         // What is wrong with an object that never shows is not this.
-        if reach.step(index).is_none() {
+        if context.moved(index).is_none() {
             continue;
         }
         let what = match step.kind {

@@ -29,16 +29,14 @@ rule! {
 }
 
 fn check(context: &Context<'_>, findings: &mut Findings) {
-    // An error elsewhere may have spoilt the statement that takes it.
-    if context.scene().is_none() {
-        return;
-    }
     for (_, definition) in context.last_definitions(Space::Material) {
-        let name = quote(&format!("?{}", context.named(definition).0));
-        // One that was redefined after an object took it is known to the interpreter.
-        if context.ever_used(definition.symbol) {
+        let (name, _) = context.named(definition);
+        // One that was redefined after an object took it is known to the interpreter, and of one whose use an error may
+        // have spoilt nothing is known.
+        if context.ever_used(definition.symbol) || context.may_be_used(Space::Material, name) {
             continue;
         }
+        let name = quote(&format!("?{name}"));
         let mut finding = Diagnostic::new(
             Code::UnusedMaterial,
             format!("no object takes the material {name}"),

@@ -36,15 +36,13 @@ rule! {
 }
 
 fn check(context: &Context<'_>, findings: &mut Findings) {
-    // An error elsewhere may have spoilt the statement that takes it.
-    if context.scene().is_none() {
-        return;
-    }
     for (id, definition) in context.last_definitions(Space::Object) {
-        if context.uses(id) > 0 {
+        let (name, _) = context.named(definition);
+        // An error may have spoilt the statement that takes it.
+        if context.uses(id) > 0 || context.may_be_used(Space::Object, name) {
             continue;
         }
-        let name = quote(&format!("!{}", context.named(definition).0));
+        let name = quote(&format!("!{name}"));
         let mut finding = Diagnostic::new(
             Code::UnusedObject,
             format!("{name} is not part of the picture"),

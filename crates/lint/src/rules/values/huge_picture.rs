@@ -41,7 +41,7 @@ const BYTES_PER_PIXEL: u64 = 12;
 const MOST_BYTES: u64 = 3 << 30;
 
 fn check(context: &Context<'_>, findings: &mut Findings) {
-    let Some(settings) = context.scene().map(|scene| &scene.settings) else {
+    let Some(settings) = context.settings() else {
         return;
     };
     let bytes = u64::from(settings.width) * u64::from(settings.height) * BYTES_PER_PIXEL;

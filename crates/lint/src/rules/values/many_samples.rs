@@ -38,7 +38,7 @@ rule! {
 const MOST: u64 = 10_000_000_000;
 
 fn check(context: &Context<'_>, findings: &mut Findings) {
-    let Some(settings) = context.scene().map(|scene| &scene.settings) else {
+    let Some(settings) = context.settings() else {
         return;
     };
     let points = u64::from(settings.width) * u64::from(settings.height) * u64::from(settings.samples);

@@ -49,8 +49,8 @@ fn check(context: &Context<'_>, findings: &mut Findings) {
         }
         findings.push(finding);
     }
-    if let Some(scene) = context.scene() {
-        ambient(context, &scene.settings, findings);
+    if let Some(settings) = context.settings() {
+        ambient(context, settings, findings);
     }
 }
 
