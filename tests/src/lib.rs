@@ -9,7 +9,7 @@ mod shots;
 use std::path::PathBuf;
 
 use scenec_scene::Scene;
-use scenec_text::SourceFile;
+use scenec_text::{Fix, SourceFile};
 
 pub use agree::{Disagreement, Mask, compare};
 pub use closed::{check_classes, check_colours, closed_stage, meets};
@@ -63,4 +63,23 @@ pub fn gallery() -> Vec<(String, Scene)> {
         .collect();
     scenes.sort_by(|a, b| a.0.cmp(&b.0));
     scenes
+}
+
+/// The text after a repair.
+///
+/// # Panics
+/// If its edits overlap.
+#[must_use]
+pub fn mended(text: &str, fix: &Fix) -> String {
+    let mut edits = fix.edits.clone();
+    edits.sort_by_key(|edit| edit.span);
+    assert!(
+        edits.windows(2).all(|pair| pair[0].span.end <= pair[1].span.start),
+        "{fix:?}"
+    );
+    let mut text = text.to_owned();
+    for edit in edits.iter().rev() {
+        text.replace_range(edit.span.range(), &edit.text);
+    }
+    text
 }

@@ -8,7 +8,7 @@ use scenec_lint::check;
 use scenec_picture::{Frame, Limits, NOTHING, Window};
 use scenec_reference::Reference;
 use scenec_scene::{Base, DVec3, Op, Scene, SolidId, SolidKind};
-use scenec_tests::{frame, random_scene, scene};
+use scenec_tests::{frame, mended, random_scene, scene};
 use scenec_text::{Code, Diagnostic, SourceFile};
 
 /// Where scenes are looked at from, besides their own eye.
@@ -234,6 +234,34 @@ fn a_union_of_many_is_searched_as_if_pair_by_pair() {
         found.first()
     );
     assert!(found.len() == expect && expect > 100, "{} of {expect}", found.len());
+}
+
+#[test]
+fn what_is_left_out_of_a_union_was_not_seen() {
+    // Two that nothing holds, and many among them.
+    let mut balls = vec![(1.5, DVec3::X), (1.5, DVec3::NEG_X)];
+    balls.extend((0..24).map(|i| {
+        let place = DVec3::new(f64::from(i * 7 % 5), f64::from(i * 5 % 3), f64::from(i % 4));
+        (0.1 + f64::from(i * 11 % 13) * 0.08, place * 0.3 + 0.05)
+    }));
+    let mut text = chain(&balls);
+    let colours = |text: &str| {
+        views(text)
+            .into_iter()
+            .map(|frame| frame.exact.unwrap())
+            .collect::<Vec<_>>()
+    };
+    let seen = colours(&text);
+    let mut left_out = 0;
+    while let Some(fix) = findings(&text).into_iter().find_map(|finding| finding.fix) {
+        assert!(fix.title.starts_with("leave ") && !fix.safe, "{fix:?}");
+        text = mended(&text, &fix);
+        left_out += 1;
+    }
+    assert!(findings(&text).is_empty() && left_out > 10, "{left_out}: {text}");
+    let now = colours(&text);
+    let pairs = seen.iter().flatten().flatten().zip(now.iter().flatten().flatten());
+    assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() <= 1e-9));
 }
 
 #[test]

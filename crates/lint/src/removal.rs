@@ -1,6 +1,6 @@
 //! Taking statements away without leaving a trace.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use scenec_interpret::{DefinitionId, Role};
 use scenec_scene::setting;
@@ -12,6 +12,20 @@ impl Context<'_> {
     /// Removes statements that do nothing; comments on their lines stay. `None` if something would be left that nothing
     /// reads any more: a repair that causes the next finding is no repair.
     pub(crate) fn removal(&self, title: impl Into<String>, statements: &[Span]) -> Option<Fix> {
+        self.removal_keeping(title, statements, None)
+    }
+
+    /// The same, where something else reads `kept` afterwards.
+    pub(crate) fn removal_keeping(
+        &self,
+        title: impl Into<String>,
+        statements: &[Span],
+        kept: Option<DefinitionId>,
+    ) -> Option<Fix> {
+        let removed: HashSet<DefinitionId> = statements
+            .iter()
+            .filter_map(|statement| self.definition_at(*statement))
+            .collect();
         let mut lost: HashMap<DefinitionId, u32> = HashMap::new();
         for place in statements.iter().flat_map(|statement| self.places_on(*statement)) {
             if let (Role::Use, Some(definition)) = (place.role, place.definition) {
@@ -20,7 +34,8 @@ impl Context<'_> {
         }
         let orphaned = |(id, lost): (&DefinitionId, &u32)| {
             let named = self.definition(*id).map(|definition| self.named(definition).0);
-            self.uses(*id) <= *lost && named.and_then(setting).is_none()
+            let goes_or_stays = removed.contains(id) || kept == Some(*id);
+            self.uses(*id) <= *lost && named.and_then(setting).is_none() && !goes_or_stays
         };
         if lost.iter().any(orphaned) {
             return None;

@@ -14,10 +14,10 @@ pub(super) mod too_far_to_resolve;
 
 use scenec_scene::{Scene, SettingInfo, SolidId, SolidKind, setting};
 use scenec_syntax::{Statement, quote};
-use scenec_text::{Diagnostic, Span};
+use scenec_text::{Diagnostic, Fix, Span};
 
 use crate::context::Context;
-use crate::geometry::{Covered, Operand};
+use crate::geometry::{Covered, Member, Operand};
 
 /// A combination as it is written.
 struct Written {
@@ -70,6 +70,32 @@ impl Written {
             Operand::Right => &self.right,
         }
     }
+}
+
+/// Leaves a member out of a union, and goes without what is there for the union alone, where the other operand has the
+/// union's name: `!x := x | ball`. What is seen stays, but its numbers may be rounded otherwise.
+fn leave_out(context: &Context<'_>, scene: &Scene, member: Member) -> Option<Fix> {
+    let written = Written::of(context, scene, member.taker)?;
+    let (part, rest) = match scene.solid(member.taker).kind {
+        SolidKind::Combine { right, .. } if right == member.solid => (&written.right, &written.left),
+        SolidKind::Combine { left, .. } if left == member.solid => (&written.left, &written.right),
+        _ => return None,
+    };
+    let places = context.places_on(written.statement);
+    let at = |span: Span| places.iter().find(|place| place.span == span);
+    let (union, part_at, rest_at) = (places.first()?, at(part.place)?, at(rest.place)?);
+    if union.symbol != rest_at.symbol || union.symbol == part_at.symbol {
+        return None;
+    }
+    let mut statements = vec![written.statement];
+    let object = part_at.definition?;
+    if context.uses(object) == 1 {
+        statements.extend(context.definition_and_edits(object));
+    }
+    let title = format!("leave {} out", part.name);
+    let mut fix = context.removal_keeping(title, &statements, rest_at.definition)?;
+    fix.safe = false;
+    Some(fix)
 }
 
 /// Adds the place where something was made, unless the finding names it already.

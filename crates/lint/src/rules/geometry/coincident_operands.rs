@@ -4,7 +4,7 @@ use scenec_interpret::{DefinitionId, Role, SymbolId};
 use scenec_scene::{Op, Scene, SolidId, SolidKind};
 use scenec_text::{Code, Diagnostic, Span};
 
-use super::{Written, made, names};
+use super::{Written, leave_out, made, names};
 use crate::context::Context;
 use crate::findings::Findings;
 use crate::geometry::{Covered, Outcome};
@@ -119,7 +119,9 @@ fn united(context: &Context<'_>, scene: &Scene, covered: &Covered, last: &[usize
         );
         let finding = made(finding, scene.solid(outer).span, "as this one");
         let finding = made(finding, taker, "united here");
-        return Some(finding.help("move or scale one of them, or remove it"));
+        let mut finding = finding.help("move or scale one of them, or remove it");
+        finding.fix = leave_out(context, scene, covered.inner);
+        return Some(finding);
     }
     if copies(context, taker, last) {
         return None;
@@ -130,7 +132,9 @@ fn united(context: &Context<'_>, scene: &Scene, covered: &Covered, last: &[usize
         taker,
         "taking it once more adds nothing",
     );
-    Some(made(finding, scene.solid(inner).span, "this is taken twice").help("leave it out here"))
+    let mut finding = made(finding, scene.solid(inner).span, "this is taken twice").help("leave it out here");
+    finding.fix = leave_out(context, scene, covered.inner);
+    Some(finding)
 }
 
 /// Whether a statement copies an object to some purpose.

@@ -2,7 +2,7 @@
 
 use scenec_text::{Code, Diagnostic};
 
-use super::{made, names};
+use super::{leave_out, made, names};
 use crate::context::Context;
 use crate::findings::Findings;
 
@@ -56,6 +56,8 @@ fn check(context: &Context<'_>, findings: &mut Findings) {
         );
         let finding = made(finding, scene.solid(covered.outer.solid).span, "this holds all of it");
         let finding = made(finding, scene.solid(covered.inner.taker).span, "united here");
-        findings.push(finding.help("remove it, move it out, or subtract it from what holds it"));
+        let mut finding = finding.help("remove it, move it out, or subtract it from what holds it");
+        finding.fix = leave_out(context, scene, covered.inner);
+        findings.push(finding);
     }
 }

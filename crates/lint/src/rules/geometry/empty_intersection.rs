@@ -1,6 +1,6 @@
 //! Intersections of what never meets.
 
-use scenec_text::{Code, Diagnostic};
+use scenec_text::{Code, Diagnostic, Edit, Fix, Span};
 
 use super::{Written, made};
 use crate::context::Context;
@@ -57,6 +57,19 @@ fn check(context: &Context<'_>, findings: &mut Findings) {
         );
         let finding = made(finding, left.made, "the one");
         let finding = made(finding, right.made, "the other");
-        findings.push(finding.help("move them so that they meet, or write `|` for a union"));
+        let mut finding = finding.help("move them so that they meet, or write `|` for a union");
+        let between = Span::new(left.place.end, right.place.start);
+        if let Some(at) = between.of(context.text()).find('&') {
+            let at = between.start + at as u32;
+            finding = finding.fix(Fix {
+                title: "write `|` for a union".to_owned(),
+                edits: vec![Edit {
+                    span: Span::new(at, at + 1),
+                    text: "|".to_owned(),
+                }],
+                safe: false,
+            });
+        }
+        findings.push(finding);
     }
 }

@@ -1,6 +1,6 @@
 //! Subtractions that leave nothing.
 
-use scenec_text::{Code, Diagnostic};
+use scenec_text::{Code, Diagnostic, Edit, Fix, Span};
 
 use super::{Written, made};
 use crate::context::Context;
@@ -56,6 +56,19 @@ fn check(context: &Context<'_>, findings: &mut Findings) {
         );
         let finding = made(finding, left.made, "this lies inside");
         let finding = made(finding, right.made, "this holds all of it");
-        findings.push(finding.help("swap the operands, or make the second one smaller"));
+        let edit = |at: Span, text: Span| Edit {
+            span: at,
+            text: text.of(context.text()).to_owned(),
+        };
+        let swap = Fix {
+            title: "swap the operands".to_owned(),
+            edits: vec![edit(left.place, right.place), edit(right.place, left.place)],
+            safe: false,
+        };
+        findings.push(
+            finding
+                .help("swap the operands, or make the second one smaller")
+                .fix(swap),
+        );
     }
 }
