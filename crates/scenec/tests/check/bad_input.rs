@@ -65,6 +65,21 @@ fn huge_lines_and_runs_of_nonsense_are_told_of_briefly() {
 }
 
 #[test]
+fn a_chain_of_a_million_unions() {
+    let mut text = format!("/ scenec: allow W045\n{}", SETTINGS.replace("!ball <=\n", ""));
+    text.push_str(&"!ball := ball | ball\n".repeat(1_000_000));
+    text.push_str("!ball <=\n");
+    let ran = Room::with(&[]).feed("check -", text.as_bytes());
+    let shown: String = ran.out.chars().take(2000).collect();
+    assert_eq!(
+        (ran.code, shown.as_str()),
+        (Some(0), "<stdin>: no problems\n"),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
 fn what_is_no_file_is_unusable() {
     let room = Room::with(&[("good.scene", SETTINGS), ("folder.scene/x.txt", "")]);
     for command in ["check", "fmt"] {

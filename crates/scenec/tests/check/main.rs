@@ -9,5 +9,6 @@ mod fixes;
 mod fmt;
 mod formats;
 mod look;
+mod readers;
 mod room;
 mod watching;
