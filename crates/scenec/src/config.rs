@@ -28,15 +28,56 @@ pub(crate) struct Config {
 /// A configuration, or a sentence about why there is none to be had.
 pub(crate) type Found = Result<Arc<Config>, Arc<str>>;
 
+/// Arguments about which configuration holds.
+#[derive(clap::Args, Clone, Debug, Default)]
+pub(crate) struct ConfigOptions {
+    /// The configuration of all files, in place of each one's nearest scenec.toml
+    #[arg(long, value_name = "FILE", conflicts_with = "isolated")]
+    pub(crate) config: Option<PathBuf>,
+    /// Go by no configuration
+    #[arg(long)]
+    pub(crate) isolated: bool,
+}
+
+impl ConfigOptions {
+    /// What holds for all files, if that was said.
+    fn only(&self) -> Option<Found> {
+        if self.isolated {
+            return Some(Ok(Arc::default()));
+        }
+        let path = self.config.as_ref()?;
+        let name = path.display().to_string();
+        let text = fs::read_to_string(path).map_err(|error| format!("cannot read {name}: {error}"));
+        let found = text.and_then(|text| read(&name, &text));
+        Some(found.map(Arc::new).map_err(Arc::from))
+    }
+}
+
 /// Finds the configuration of each file, and reads each one once.
-#[derive(Default)]
 pub(crate) struct Configs {
+    only: Option<Found>,
     folders: HashMap<PathBuf, Found>,
 }
 
 impl Configs {
-    /// What holds for a file: the nearest configuration in its folder or one above, or the defaults.
+    pub(crate) fn new(options: &ConfigOptions) -> Self {
+        Self {
+            only: options.only(),
+            folders: HashMap::new(),
+        }
+    }
+
+    /// Why the configuration of all files is none, if it is.
+    pub(crate) fn failure(&self) -> Option<&str> {
+        self.only.as_ref()?.as_ref().err().map(AsRef::as_ref)
+    }
+
+    /// What holds for a file: what was said to hold for all, or the nearest configuration in its folder or one above, or
+    /// the defaults.
     pub(crate) fn of(&mut self, file: &Path) -> Found {
+        if let Some(only) = &self.only {
+            return only.clone();
+        }
         let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
         // A folder that can't be resolved has no file in it that could be read either.
         let folder = folder.unwrap_or(Path::new("."));

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use crate::config::{Configs, Found};
+use crate::config::{ConfigOptions, Configs, Found};
 use crate::exit::Exit;
 use crate::files::{FileOptions, Input, Inputs};
 use crate::report;
@@ -14,7 +14,7 @@ pub(crate) struct Job {
 }
 
 /// The files that the arguments stand for, each with its configuration, and what could not be looked into.
-pub(crate) fn jobs(options: &FileOptions) -> (Vec<Job>, Failures) {
+pub(crate) fn jobs(options: &FileOptions, config: &ConfigOptions) -> (Vec<Job>, Failures) {
     let Inputs { files, failures } = options.find();
     let mut told = Failures::default();
     for failure in failures {
@@ -23,7 +23,10 @@ pub(crate) fn jobs(options: &FileOptions) -> (Vec<Job>, Failures) {
     if files.is_empty() && told.messages.is_empty() {
         remark("no scene files found");
     }
-    let mut configs = Configs::default();
+    let mut configs = Configs::new(config);
+    if let Some(failure) = configs.failure() {
+        told.tell(failure.to_owned());
+    }
     let job = |input: Input| {
         let config = configs.of(options.place(&input));
         Job { input, config }

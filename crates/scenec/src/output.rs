@@ -44,6 +44,8 @@ pub(crate) enum OutputFormat {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Look {
     pub(crate) colour: bool,
+    /// Whether repairs that may change the picture count as repairs.
+    pub(crate) unsafe_fixes: bool,
     /// The most findings of one file.
     pub(crate) most: usize,
 }

@@ -26,6 +26,9 @@ pub(crate) struct Style {
     /// The most findings to show of one file, errors before warnings
     #[arg(long, default_value_t = 100, value_name = "N")]
     pub(crate) max_diagnostics: usize,
+    /// Say nothing but errors and what was asked for
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
 }
 
 /// How many findings of each kind there are.

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, SystemTime};
 
-use crate::config;
+use crate::config::{self, ConfigOptions};
 use crate::exit::Exit;
 use crate::files::FileOptions;
 use crate::interrupt;
@@ -24,20 +24,17 @@ const TICKS: u32 = 5;
 type Stamp = Option<(SystemTime, u64)>;
 
 /// Calls `again` now and after every change, until Ctrl-C or until it breaks off.
-pub(crate) fn watch(files: &FileOptions, mut again: impl FnMut() -> ControlFlow<Exit>) -> Exit {
+pub(crate) fn watch(files: &FileOptions, config: &ConfigOptions, mut again: impl FnMut() -> ControlFlow<Exit>) -> Exit {
     let watch = interrupt::watch();
     let mut seen = None;
     while !watch.stopped() {
-        let now = stamps(files);
+        let now = stamps(files, config);
         if seen.as_ref() != Some(&now) {
             // What changes from here on is seen at the next look.
             if let ControlFlow::Break(exit) = again() {
                 return exit;
             }
-            let scenes = now
-                .iter()
-                .filter(|(path, _)| path.file_name() != Some(config::NAME.as_ref()));
-            remark(&format!("watching {}; Ctrl-C ends", plural(scenes.count(), "file")));
+            remark(&format!("watching {}; Ctrl-C ends", plural(now.scenes.len(), "file")));
             seen = Some(now);
         }
         for _ in 0..TICKS {
@@ -50,20 +47,37 @@ pub(crate) fn watch(files: &FileOptions, mut again: impl FnMut() -> ControlFlow<
     Exit::Interrupted
 }
 
-/// The files, and the places where a configuration for them may stand.
-fn stamps(files: &FileOptions) -> Vec<(PathBuf, Stamp)> {
+/// What the files are like now, and the configurations that hold for them or would.
+#[derive(PartialEq, Eq)]
+struct Stamps {
+    scenes: Vec<(PathBuf, Stamp)>,
+    configs: Vec<(PathBuf, Stamp)>,
+}
+
+fn stamps(files: &FileOptions, config: &ConfigOptions) -> Stamps {
     let paths: Vec<_> = files.find().files.into_iter().map(|input| input.path).collect();
+    let configs = match &config.config {
+        Some(only) => vec![only.clone()],
+        None if config.isolated => Vec::new(),
+        None => places(&paths),
+    };
+    let stamp = |path: PathBuf| {
+        let stamp = fs::metadata(&path).and_then(|there| Ok((there.modified()?, there.len())));
+        (path, stamp.ok())
+    };
+    Stamps {
+        scenes: paths.into_iter().map(stamp).collect(),
+        configs: configs.into_iter().map(stamp).collect(),
+    }
+}
+
+/// The places where a configuration of these files may stand.
+fn places(paths: &[PathBuf]) -> Vec<PathBuf> {
     let folder = |path: &PathBuf| {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
         fs::canonicalize(folder.unwrap_or(Path::new("."))).ok()
     };
     let folders: BTreeSet<PathBuf> = paths.iter().filter_map(folder).collect();
     let above: BTreeSet<&Path> = folders.iter().flat_map(|folder| folder.ancestors()).collect();
-    let configs = above.into_iter().map(|folder| folder.join(config::NAME));
-    let configs = configs.filter(|path| path.exists()).collect::<Vec<_>>();
-    let stamp = |path: PathBuf| {
-        let stamp = fs::metadata(&path).and_then(|there| Ok((there.modified()?, there.len())));
-        (path, stamp.ok())
-    };
-    paths.into_iter().chain(configs).map(stamp).collect()
+    above.into_iter().map(|folder| folder.join(config::NAME)).collect()
 }

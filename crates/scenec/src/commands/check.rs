@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 
 use clap::Args;
 
+use crate::config::ConfigOptions;
 use crate::exit::Exit;
 use crate::files::FileOptions;
 use crate::jobs::Failures;
@@ -25,6 +26,8 @@ pub(crate) use round::write_diff;
 pub(crate) struct Check {
     #[command(flatten)]
     files: FileOptions,
+    #[command(flatten)]
+    config: ConfigOptions,
     #[command(flatten)]
     levels: LevelOptions,
     #[command(flatten)]
@@ -64,9 +67,6 @@ struct TalkOptions {
     /// Count the findings of each code instead of showing them
     #[arg(long)]
     statistics: bool,
-    /// Say nothing but the findings
-    #[arg(short, long)]
-    quiet: bool,
     #[command(flatten)]
     style: report::Style,
 }
@@ -101,7 +101,7 @@ impl Check {
             failures.tell("standard input can't be watched".to_owned());
             return Exit::Unusable;
         }
-        watch(&self.files, || match self.once() {
+        watch(&self.files, &self.config, || match self.once() {
             (_, true) => ControlFlow::Continue(()),
             (exit, false) => ControlFlow::Break(exit),
         })

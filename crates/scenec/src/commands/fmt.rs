@@ -9,6 +9,7 @@ use scenec_syntax::{format, parse};
 use scenec_text::{Diagnostic, Severity, SourceFile};
 
 use crate::commands::check::write_diff;
+use crate::config::ConfigOptions;
 use crate::exit::Exit;
 use crate::files::FileOptions;
 use crate::interrupt;
@@ -26,15 +27,14 @@ use crate::rewrite::rewrite;
 pub(crate) struct Fmt {
     #[command(flatten)]
     files: FileOptions,
+    #[command(flatten)]
+    config: ConfigOptions,
     /// Change nothing; name the files that would change
     #[arg(long)]
     check: bool,
     /// Change nothing; show what would
     #[arg(long)]
     diff: bool,
-    /// Say nothing but errors, and what --check and --diff ask for
-    #[arg(short, long)]
-    quiet: bool,
     #[command(flatten)]
     style: report::Style,
 }
@@ -72,7 +72,7 @@ struct Counts {
 
 impl Fmt {
     pub(crate) fn run(&self) -> Exit {
-        let (jobs, mut failures) = jobs(&self.files);
+        let (jobs, mut failures) = jobs(&self.files, &self.config);
         let mut counts = Counts::default();
         let mut written = Ok(());
         // A file is whole at all times, but Ctrl-C must not leave the half of a new one beside it.
@@ -95,7 +95,7 @@ impl Fmt {
         if let Err(error) = written.and_then(|()| io::stdout().flush()) {
             failures.tell_unwritten(&error);
         }
-        if !self.quiet && !self.files.standard() {
+        if !self.style.quiet && !self.files.standard() {
             self.summary(&counts);
         }
         let wrong = counts.refused > 0 || (self.only_asks() && counts.changed > 0);

@@ -1,9 +1,11 @@
-//! One line a finding: `file:line:column: severity[code]: message`, as compilers have it and editors understand.
+//! One line a finding: `file:line:column: severity[code]: message`, as compilers have it and editors understand. A `[*]` before
+//! the message says that `--fix` would mend it.
 
 use std::io::{self, Write};
 
 use super::{Look, Place, Printer};
 use crate::finding::Checked;
+use crate::fix::applies;
 use crate::report::{choose, not_shown, sanitise};
 use scenec_text::Severity;
 
@@ -27,8 +29,13 @@ impl Printer for Concise {
             } else {
                 kind
             };
+            let mark = if applies(finding, self.0.unsafe_fixes) {
+                "[*] "
+            } else {
+                ""
+            };
             let message = sanitise(&diagnostic.message);
-            writeln!(out, "{name}:{}:{}: {kind}: {message}", place.line, place.column)?;
+            writeln!(out, "{name}:{}:{}: {kind}: {mark}{message}", place.line, place.column)?;
         }
         not_shown(out, hidden)
     }

@@ -96,6 +96,34 @@ fn junit_looks_like_this() {
     insta::assert_snapshot!("junit", printed("junit"));
 }
 
+/// The findings of every fixture, one a line: no message changes unseen.
+#[test]
+fn the_fixtures_look_like_this() {
+    let fixtures = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/fixtures");
+    let command = "check -q --color never --max-diagnostics 1000 --output-format concise";
+    let ran = crate::room::feed(crate::room::command_in(fixtures.as_ref(), command), b"");
+    assert_eq!((ran.code, ran.err.as_str()), (Some(1), ""), "{ran:?}");
+    insta::assert_snapshot!("fixtures", ran.out);
+}
+
+#[test]
+fn every_format_has_a_snapshot() {
+    let refused = room().run("check --output-format none").err;
+    let formats = refused
+        .split_once("[possible values: ")
+        .unwrap()
+        .1
+        .split(']')
+        .next()
+        .unwrap();
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/check/snapshots");
+    for format in formats.split(", ") {
+        let file = format!("{folder}/check__formats__{format}.snap");
+        assert!(std::path::Path::new(&file).exists(), "{file}");
+    }
+    assert_eq!(formats.split(", ").count(), 8, "{formats}");
+}
+
 #[test]
 fn no_findings_are_a_whole_document_too() {
     let room = Room::with(&[("clean.scene", SETTINGS)]);

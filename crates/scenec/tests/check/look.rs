@@ -28,6 +28,26 @@ fn reports_are_coloured_only_on_demand_and_capped() {
 }
 
 #[test]
+fn what_can_be_fixed_is_marked_and_counted() {
+    let text = format!("q := 1\n{SETTINGS}!ball += 1 0 0\n").replace("!ball <=", "!ball #y= 45\n!ball #x= 1\n!ball <=");
+    let room = Room::with(&[]);
+    let check = |arguments: &str, marks: usize, last: &str| {
+        let ran = room.feed(&format!("check - --output-format concise {arguments}"), text.as_bytes());
+        let out = if arguments.contains("--fix") {
+            &ran.err
+        } else {
+            &ran.out
+        };
+        assert_eq!(out.matches("]: [*] ").count(), marks, "{arguments}: {out}");
+        assert_eq!(out.lines().last(), Some(last), "{arguments}: {out}");
+    };
+    check("", 2, "[*] 2 can be fixed with --fix, 3 more with --unsafe-fixes");
+    check("--unsafe-fixes", 5, "[*] 5 can be fixed with --fix --unsafe-fixes");
+    check("--allow W009,W005", 0, "3 can be fixed with --fix --unsafe-fixes");
+    check("--fix", 0, "3 more can be fixed with --unsafe-fixes");
+}
+
+#[test]
 fn nothing_in_a_file_or_its_name_drives_the_terminal() {
     let room = Room::with(&[]);
     let text = "x := \u{1b}[2J \u{202E} \0\u{8}\r\n\ry\u{2028}\u{85}!\u{B}\n";

@@ -65,7 +65,11 @@ impl<'a> Round<'a> {
         Self {
             check,
             out,
-            printer: check.talk.output_format.printer(Look { colour, most }),
+            printer: check.talk.output_format.printer(Look {
+                colour,
+                unsafe_fixes: check.fixing.unsafe_fixes,
+                most,
+            }),
             statistics: Statistics::default(),
             tally: Tally::default(),
             files: 0,
@@ -79,7 +83,7 @@ impl<'a> Round<'a> {
 
     /// How it went, and whether somebody still reads what is written.
     pub(super) fn run(mut self) -> (Exit, bool) {
-        let (jobs, failures) = jobs(&self.check.files);
+        let (jobs, failures) = jobs(&self.check.files, &self.check.config);
         self.failures = failures;
         let mut written = if self.shows_findings() {
             self.printer.begin(&mut self.out)
@@ -184,7 +188,7 @@ impl<'a> Round<'a> {
 
     /// Whether people read this, and want to be told how it went.
     fn is_talkative(&self) -> bool {
-        self.check.talk.output_format.is_prose() && !self.check.talk.quiet
+        self.check.talk.output_format.is_prose() && !self.check.talk.style.quiet
     }
 
     fn end(&mut self) -> io::Result<()> {
@@ -216,21 +220,34 @@ impl<'a> Round<'a> {
         if self.fixed > 0 {
             writeln!(self.out, "{} fixed", self.fixed)?;
         }
+        match self.mendable() {
+            Some(words) => writeln!(self.out, "{words}"),
+            None => Ok(()),
+        }
+    }
+
+    /// What `--fix` would do about the findings; after it has done its work, what it left.
+    fn mendable(&self) -> Option<String> {
         let [safe, other] = self.fixable;
-        let (safe, other) = if self.check.fixing.unsafe_fixes {
-            (safe + other, 0)
-        } else {
-            (safe, other)
+        let fixing = &self.check.fixing;
+        // Where findings are marked, this says what the mark means.
+        let mark = match self.check.talk.output_format {
+            OutputFormat::Concise if !self.check.talk.statistics => "[*] ",
+            _ => "",
         };
         match (safe, other) {
-            _ if self.check.fixing.fix => Ok(()),
-            (0, 0) => Ok(()),
-            (0, other) => writeln!(self.out, "{other} can be fixed with --fix --unsafe-fixes"),
-            (safe, 0) => writeln!(self.out, "{safe} can be fixed with --fix"),
-            (safe, other) => writeln!(
-                self.out,
-                "{safe} can be fixed with --fix, {other} more with --unsafe-fixes"
-            ),
+            (0, 0) => None,
+            _ if fixing.fix && fixing.unsafe_fixes => None,
+            (_, 0) if fixing.fix => None,
+            (_, other) if fixing.fix => Some(format!("{other} more can be fixed with --unsafe-fixes")),
+            (safe, other) if fixing.unsafe_fixes => {
+                Some(format!("{mark}{} can be fixed with --fix --unsafe-fixes", safe + other))
+            }
+            (0, other) => Some(format!("{other} can be fixed with --fix --unsafe-fixes")),
+            (safe, 0) => Some(format!("{mark}{safe} can be fixed with --fix")),
+            (safe, other) => Some(format!(
+                "{mark}{safe} can be fixed with --fix, {other} more with --unsafe-fixes"
+            )),
         }
     }
 }
