@@ -26,9 +26,16 @@ pub(crate) struct Style {
     /// The most findings to show of one file, errors before warnings
     #[arg(long, default_value_t = 100, value_name = "N")]
     pub(crate) max_diagnostics: usize,
+}
+
+/// The same, where a subcommand also tells how it went.
+#[derive(clap::Args, Clone, Debug)]
+pub(crate) struct Voice {
     /// Say nothing but errors and what was asked for
     #[arg(short, long)]
     pub(crate) quiet: bool,
+    #[command(flatten)]
+    pub(crate) style: Style,
 }
 
 /// How many findings of each kind there are.

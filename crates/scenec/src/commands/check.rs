@@ -28,18 +28,18 @@ pub(crate) struct Check {
     files: FileOptions,
     #[command(flatten)]
     config: ConfigOptions,
-    #[command(flatten)]
-    levels: LevelOptions,
-    #[command(flatten)]
-    fixing: FixOptions,
-    #[command(flatten)]
-    talk: TalkOptions,
     /// Check again whenever a file changes, until Ctrl-C
     #[arg(long)]
     watch: bool,
     /// End with 0 even if there are findings
     #[arg(long)]
     exit_zero: bool,
+    #[command(flatten)]
+    levels: LevelOptions,
+    #[command(flatten)]
+    fixing: FixOptions,
+    #[command(flatten)]
+    talk: TalkOptions,
 }
 
 /// Arguments about repairs.
@@ -68,7 +68,7 @@ struct TalkOptions {
     #[arg(long)]
     statistics: bool,
     #[command(flatten)]
-    style: report::Style,
+    voice: report::Voice,
 }
 
 const AFTER_HELP: &str = "\

@@ -36,7 +36,7 @@ pub(crate) struct Fmt {
     #[arg(long)]
     diff: bool,
     #[command(flatten)]
-    style: report::Style,
+    voice: report::Voice,
 }
 
 const AFTER_HELP: &str = "\
@@ -95,7 +95,7 @@ impl Fmt {
         if let Err(error) = written.and_then(|()| io::stdout().flush()) {
             failures.tell_unwritten(&error);
         }
-        if !self.style.quiet && !self.files.standard() {
+        if !self.voice.quiet && !self.files.standard() {
             self.summary(&counts);
         }
         let wrong = counts.refused > 0 || (self.only_asks() && counts.changed > 0);
@@ -136,7 +136,7 @@ impl Fmt {
     fn refuse(&self, source: &SourceFile, findings: &[Diagnostic]) {
         let mut drawn = Vec::new();
         // Writing into memory can't fail, and where standard error is gone the exit code still tells.
-        report::print(&mut drawn, source, findings, &self.style).unwrap_or_default();
+        report::print(&mut drawn, source, findings, &self.voice.style).unwrap_or_default();
         io::stderr().lock().write_all(&drawn).unwrap_or_default();
         let untouched = if self.only_asks() {
             ""

@@ -65,7 +65,7 @@ impl Lsp {
 
 /// What the configuration of a file says. It is read anew each time: an editor is where it changes.
 fn file_options(file: &Path) -> FileOptions {
-    match Configs::default().of(file) {
+    match Configs::new(&config::ConfigOptions::default()).of(file) {
         Ok(config) => FileOptions {
             align: config.format.align,
             level: Arc::new(move |code| config.levels.of(code)),

@@ -47,11 +47,8 @@ struct TalkOptions {
     /// Tell what the render took
     #[arg(long)]
     stats: bool,
-    /// Say nothing but errors
-    #[arg(short, long)]
-    quiet: bool,
     #[command(flatten)]
-    style: report::Style,
+    voice: report::Voice,
 }
 
 const AFTER_HELP: &str = "\
@@ -83,7 +80,9 @@ impl Render {
     fn render(&self) -> Result<(), Failure> {
         let mut clock = Clock::start();
         let target = self.target.target(&self.file)?;
-        let scene = scenes::open(&self.file, self.talk.quiet, &self.talk.style, |stage| clock.lap(stage))?;
+        let scene = scenes::open(&self.file, self.talk.voice.quiet, &self.talk.voice.style, |stage| {
+            clock.lap(stage)
+        })?;
         let scene = self.view.scene(scene);
         let window = self.view.window(scene.settings.width, scene.settings.height)?;
         target.check(&window)?;
@@ -98,11 +97,11 @@ impl Render {
                 watch,
             },
             clock: &mut clock,
-            progress: !self.talk.quiet,
-            warn: if self.talk.quiet { |_| () } else { warn },
+            progress: !self.talk.voice.quiet,
+            warn: if self.talk.voice.quiet { |_| () } else { warn },
         }
         .trace(&scene)?;
-        if !self.talk.quiet {
+        if !self.talk.voice.quiet {
             self.doubts(&traced);
         }
         target.write(&traced.frame.picture, watch)?;
@@ -134,7 +133,7 @@ impl Render {
         if self.talk.stats {
             report::remark(out, account(scene, traced, clock).trim_end()).unwrap_or_default();
         }
-        if !self.talk.quiet {
+        if !self.talk.voice.quiet {
             let picture = &traced.frame.picture;
             let line = format!(
                 "wrote {target}: {} x {}, {}, {:.0} ms",

@@ -46,7 +46,7 @@ struct Fared {
 
 impl<'a> Round<'a> {
     pub(super) fn new(check: &'a Check) -> Self {
-        let style = &check.talk.style;
+        let style = &check.talk.voice.style;
         // Text that was mended goes where it is expected, and then the findings must not be in between.
         let aside = check.fixing.fix && !check.fixing.diff && check.files.standard();
         let (out, colour): (Box<dyn Write>, _) = if aside {
@@ -188,7 +188,7 @@ impl<'a> Round<'a> {
 
     /// Whether people read this, and want to be told how it went.
     fn is_talkative(&self) -> bool {
-        self.check.talk.output_format.is_prose() && !self.check.talk.style.quiet
+        self.check.talk.output_format.is_prose() && !self.check.talk.voice.quiet
     }
 
     fn end(&mut self) -> io::Result<()> {
