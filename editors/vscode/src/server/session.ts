@@ -159,10 +159,6 @@ export class Session implements vscode.Disposable {
       ],
       outputChannel: this.#log,
       initializationOptions: vscode.workspace.getConfiguration("scenec"),
-      synchronize: {
-        configurationSection: "scenec",
-        fileEvents: vscode.workspace.createFileSystemWatcher("**/scenec.toml"),
-      },
       errorHandler: this.#errorHandler(),
       markdown: { supportHtml: false },
     };
