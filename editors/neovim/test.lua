@@ -82,7 +82,7 @@ end)
 
 test("a definition is found in a line with emoji", function()
   vim.api.nvim_buf_set_lines(0, ball - 1, ball, false, { "!ball := sphere" })
-  vim.api.nvim_buf_set_lines(0, -1, -1, false, { "!été := ball / 🌍" })
+  vim.api.nvim_buf_set_lines(0, -1, -1, false, { "!été := ball | ball / 🌍" })
   local line = vim.api.nvim_buf_line_count(0) - 1
   local found = request("textDocument/definition", { position = { line = line, character = 9 } })
   assert(found and vim.inspect(found):find("line = " .. (ball - 1)), vim.inspect(found))
