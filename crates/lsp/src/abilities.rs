@@ -37,8 +37,6 @@ pub(crate) struct Abilities {
     pub(crate) encoding: Encoding,
     /// It asks for findings; otherwise they are sent.
     pub(crate) pulls: bool,
-    /// It can be told to ask for findings again.
-    pub(crate) refreshes_findings: bool,
     /// It can be told to ask for inlay hints again.
     pub(crate) refreshes_hints: bool,
     /// It can be told to ask for code lenses again.
@@ -71,6 +69,10 @@ pub(crate) struct Abilities {
     pub(crate) actions: bool,
     /// Edits may name the version that they are for.
     pub(crate) versioned_edits: bool,
+    /// Renaming may begin with a question whether it can.
+    pub(crate) prepares_rename: bool,
+    /// It knows the commands of the project's own extension.
+    pub(crate) commands: bool,
 }
 
 impl Abilities {
@@ -82,6 +84,8 @@ impl Abilities {
         };
         found.workspace(client);
         found.document(client);
+        let experimental = client.experimental.as_ref();
+        found.commands = experimental.and_then(|one| one.pointer("/scenec/commands")) == Some(&true.into());
         found
     }
 
@@ -90,7 +94,6 @@ impl Abilities {
             return;
         };
         self.configuration = workspace.configuration == Some(true);
-        self.refreshes_findings = workspace.diagnostic.as_ref().and_then(|one| one.refresh_support) == Some(true);
         self.refreshes_hints = workspace.inlay_hint.as_ref().and_then(|one| one.refresh_support) == Some(true);
         self.refreshes_lenses = workspace.code_lens.as_ref().and_then(|one| one.refresh_support) == Some(true);
         let watching = workspace.did_change_watched_files.as_ref();
@@ -133,6 +136,7 @@ impl Abilities {
         let symbols = document.document_symbol.as_ref();
         self.hierarchy = symbols.and_then(|one| one.hierarchical_document_symbol_support) == Some(true);
         self.links = document.definition.as_ref().and_then(|one| one.link_support) == Some(true);
+        self.prepares_rename = document.rename.as_ref().and_then(|one| one.prepare_support) == Some(true);
         let actions = document.code_action.as_ref();
         self.actions = actions.is_some_and(|one| one.code_action_literal_support.is_some());
     }

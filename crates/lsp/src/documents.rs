@@ -141,11 +141,6 @@ impl Open {
         Some(Answer { analysed, exact })
     }
 
-    /// The number of the text's state.
-    pub(crate) fn revision(&self) -> u64 {
-        *self.revision.borrow()
-    }
-
     /// Hears of every edit.
     pub(crate) fn edits(&self) -> watch::Receiver<u64> {
         self.revision.subscribe()

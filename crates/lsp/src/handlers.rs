@@ -1,6 +1,11 @@
 //! One file a feature: from the protocol's parameters to the feature and back to the protocol's answer.
 
+pub(crate) mod colour;
+pub(crate) mod completion;
 pub(crate) mod diagnostics;
 pub(crate) mod greeting;
+pub(crate) mod hover;
+pub(crate) mod inlay;
 pub(crate) mod settings;
+pub(crate) mod signature;
 pub(crate) mod synchronise;

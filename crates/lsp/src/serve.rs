@@ -23,6 +23,9 @@ const IN_FLIGHT: usize = 1 << 18;
 /// How long the last answers may take to be written.
 const FAREWELL: Duration = Duration::from_secs(1);
 
+/// The stack of each thread that works on a document, in bytes.
+const STACK: usize = 8 << 20;
+
 /// How the server came to its end.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Ended {
@@ -39,7 +42,11 @@ pub enum Ended {
 pub fn serve(options: Options) -> io::Result<Ended> {
     let log = Log { on: options.log };
     log.catch_panics();
-    let runtime = Builder::new_multi_thread().worker_threads(2).enable_all().build()?;
+    let runtime = Builder::new_multi_thread()
+        .worker_threads(2)
+        .thread_stack_size(STACK)
+        .enable_all()
+        .build()?;
     let ended = runtime.block_on(talk(options, log))?;
     // Work that nobody waits for any more must not keep the process.
     runtime.shutdown_background();
@@ -62,6 +69,8 @@ async fn talk(options: Options, log: Log) -> io::Result<Ended> {
     let mut served = tokio::spawn(server.serve(service));
     let mut written = tokio::spawn(async move { tokio::io::copy(&mut outlet, &mut tokio::io::stdout()).await });
     let ended = tokio::select! {
+        // After a farewell the output ends as well, which then means nothing.
+        biased;
         last = &mut read => match last {
             Ok(Last { shut_down: true }) => Ended::InForm,
             _ => Ended::Abandoned,

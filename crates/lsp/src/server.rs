@@ -1,4 +1,4 @@
-//! The server: its state, and one line for each request that hands it to the feature's own file.
+//! The server's state, and how work on a document is done: off the threads that talk to the client, panics contained.
 
 use std::cell::Cell;
 use std::collections::HashSet;
@@ -6,18 +6,13 @@ use std::fmt::Display;
 use std::sync::{Arc, Mutex, OnceLock};
 
 use tokio::sync::watch;
+use tower_lsp::Client;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
-use tower_lsp::lsp_types::{
-    DidChangeConfigurationParams, DidChangeTextDocumentParams, DidChangeWatchedFilesParams, DidCloseTextDocumentParams,
-    DidOpenTextDocumentParams, DocumentDiagnosticParams, DocumentDiagnosticReportResult, InitializeParams,
-    InitializeResult, InitializedParams, MessageType, TextDocumentPositionParams, Url,
-};
-use tower_lsp::{Client, LanguageServer, async_trait};
+use tower_lsp::lsp_types::{MessageType, TextDocumentPositionParams, Url};
 
 use crate::abilities::Abilities;
 use crate::convert::Known;
 use crate::documents::{Documents, lock};
-use crate::handlers::{self, diagnostics, greeting, synchronise};
 use crate::log::Log;
 use crate::options::Options;
 use crate::publisher::Publisher;
@@ -141,6 +136,7 @@ impl Server {
             url: url.clone(),
             document,
             version: answer.analysed.version,
+            revision: answer.analysed.revision,
             abilities: self.abilities(),
             settings: self.settings(),
             options: Arc::clone(&self.options),
@@ -174,49 +170,19 @@ pub(crate) async fn aside<T: Send + 'static>(work: impl FnOnce() -> T + Send + '
     tokio::task::spawn_blocking(work).await.map_err(|_| failed())
 }
 
+/// An answer that says why there is none.
+pub(crate) fn refused(why: &impl Display) -> Error {
+    /// "RequestFailed", which the library has no name for.
+    const REQUEST_FAILED: i64 = -32803;
+    let mut error = Error::new(ErrorCode::ServerError(REQUEST_FAILED));
+    error.message = why.to_string().into();
+    error
+}
+
 fn failed() -> Error {
     let mut error = Error::internal_error();
     error.message = "the server failed at this request".into();
     error
-}
-
-#[async_trait]
-impl LanguageServer for Server {
-    async fn initialize(&self, params: InitializeParams) -> Result<InitializeResult> {
-        Ok(greeting::initialize(self, &params))
-    }
-
-    async fn initialized(&self, _: InitializedParams) {
-        greeting::initialized(self);
-    }
-
-    async fn shutdown(&self) -> Result<()> {
-        Ok(())
-    }
-
-    async fn did_open(&self, params: DidOpenTextDocumentParams) {
-        synchronise::open(self, params);
-    }
-
-    async fn did_change(&self, params: DidChangeTextDocumentParams) {
-        synchronise::change(self, &params);
-    }
-
-    async fn did_close(&self, params: DidCloseTextDocumentParams) {
-        synchronise::close(self, params);
-    }
-
-    async fn did_change_configuration(&self, params: DidChangeConfigurationParams) {
-        handlers::settings::changed(self, &params);
-    }
-
-    async fn did_change_watched_files(&self, _: DidChangeWatchedFilesParams) {
-        handlers::settings::refresh(self);
-    }
-
-    async fn diagnostic(&self, params: DocumentDiagnosticParams) -> Result<DocumentDiagnosticReportResult> {
-        diagnostics::pull(self, params).await
-    }
 }
 
 #[cfg(test)]

@@ -22,6 +22,8 @@ pub(crate) struct View {
     pub(crate) document: Arc<Document>,
     /// The client's number for this state.
     pub(crate) version: i32,
+    /// Our own number for it.
+    pub(crate) revision: u64,
     pub(crate) abilities: Abilities,
     pub(crate) settings: Arc<Settings>,
     pub(crate) options: Arc<Options>,

@@ -13,6 +13,12 @@ use tower_lsp::lsp_types::{
 use crate::server::Server;
 use crate::view::View;
 
+/// Who found it.
+const SOURCE: &str = "scenec";
+/// The most findings of one document that are sent; nobody reads more, and a broken large file would cost more to tell
+/// about than to analyse.
+const MOST: usize = 1000;
+
 /// Answers with the findings of the newest text, or that they are what they were.
 ///
 /// # Errors
@@ -51,15 +57,36 @@ fn name(items: &[lsp_types::Diagnostic]) -> String {
 pub(crate) fn findings(view: &View) -> (Vec<lsp_types::Diagnostic>, Option<String>) {
     let file = view.file_options();
     let found = view.document.diagnostics().iter();
-    let found = found.filter_map(|found| Some(finding(view, found, (file.level)(found.code)?)));
-    (found.collect(), file.problem)
+    let mut found: Vec<_> = found
+        .filter_map(|found| Some((found, (file.level)(found.code)?)))
+        .collect();
+    let left_out = found.len().saturating_sub(MOST);
+    if left_out > 0 {
+        found.sort_by_key(|(_, severity)| *severity);
+        found.truncate(MOST);
+    }
+    let mut findings: Vec<_> = found
+        .into_iter()
+        .map(|(found, severity)| finding(view, found, severity))
+        .collect();
+    if left_out > 0 {
+        let words = format!("{left_out} more findings are not shown");
+        findings.push(lsp_types::Diagnostic {
+            severity: Some(DiagnosticSeverity::INFORMATION),
+            source: Some(SOURCE.to_owned()),
+            ..lsp_types::Diagnostic::new_simple(lsp_types::Range::default(), words)
+        });
+    }
+    (findings, file.problem)
 }
 
 /// One finding as the client wants it.
 pub(crate) fn finding(view: &View, found: &Diagnostic, severity: Severity) -> lsp_types::Diagnostic {
     let tags = tags(found);
     let mut labels = found.labels.iter();
-    let first = labels.next().map_or("", |label| label.message.as_str());
+    // Where the words at the place only repeat the sentence they would be noise.
+    let first = labels.next().map(|label| label.message.as_str());
+    let first = first.filter(|first| !found.message.contains(first)).unwrap_or_default();
     let help = found.help.as_ref().map(|help| format!("help: {help}"));
     let message = [found.message.as_str(), first, help.as_deref().unwrap_or_default()];
     let message: Vec<&str> = message.into_iter().filter(|words| !words.is_empty()).collect();
@@ -77,7 +104,7 @@ pub(crate) fn finding(view: &View, found: &Diagnostic, severity: Severity) -> ls
             Severity::Hint => DiagnosticSeverity::HINT,
         }),
         code: Some(NumberOrString::String(found.code.id().to_owned())),
-        source: Some("scenec".to_owned()),
+        source: Some(SOURCE.to_owned()),
         message: message.join("\n"),
         related_information: (view.abilities.related && !related.is_empty()).then_some(related),
         tags: (view.abilities.tags && !tags.is_empty()).then_some(tags),

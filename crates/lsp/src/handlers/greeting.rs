@@ -2,9 +2,9 @@
 
 use serde_json::json;
 use tower_lsp::lsp_types::{
-    DiagnosticOptions, DiagnosticServerCapabilities, InitializeParams, InitializeResult, Registration,
-    ServerCapabilities, ServerInfo, TextDocumentSyncCapability, TextDocumentSyncKind, TextDocumentSyncOptions,
-    WorkDoneProgressOptions,
+    CompletionOptions, DiagnosticOptions, DiagnosticServerCapabilities, InitializeParams, InitializeResult, OneOf,
+    Registration, ServerCapabilities, ServerInfo, SignatureHelpOptions, TextDocumentSyncCapability,
+    TextDocumentSyncKind, TextDocumentSyncOptions, WorkDoneProgressOptions,
 };
 
 use crate::abilities::Abilities;
@@ -12,6 +12,9 @@ use crate::handlers::settings;
 use crate::publisher::Publisher;
 use crate::server::Server;
 use crate::settings::Settings;
+
+/// What opens the list of completions beside letters: the sigils, and what an operator begins with.
+const TYPED: &str = "!?*=+#|&<";
 
 /// Gets to know the client, and tells what the server can do.
 pub(crate) fn initialize(server: &Server, params: &InitializeParams) -> InitializeResult {
@@ -83,6 +86,22 @@ fn capabilities(abilities: Abilities) -> ServerCapabilities {
         diagnostic_provider: abilities
             .pulls
             .then_some(DiagnosticServerCapabilities::Options(diagnostics)),
+        hover_provider: Some(true.into()),
+        completion_provider: Some(CompletionOptions {
+            trigger_characters: Some(characters(TYPED)),
+            ..CompletionOptions::default()
+        }),
+        signature_help_provider: Some(SignatureHelpOptions {
+            trigger_characters: Some(characters(" =")),
+            ..SignatureHelpOptions::default()
+        }),
+        inlay_hint_provider: Some(OneOf::Left(true)),
+        color_provider: Some(true.into()),
         ..ServerCapabilities::default()
     }
+}
+
+/// One string for each character.
+fn characters(all: &str) -> Vec<String> {
+    all.chars().map(String::from).collect()
 }

@@ -49,8 +49,9 @@ pub(crate) fn refresh(server: &Server) {
     }
     let client = server.client.clone();
     tokio::spawn(async move {
-        // A client that refuses shows what it had.
-        if abilities.pulls && abilities.refreshes_findings {
+        // A client that refuses shows what it had. Whether it would refuse findings can't be known: the library looks for
+        // that ability under another name than clients give it.
+        if abilities.pulls {
             client.workspace_diagnostic_refresh().await.unwrap_or_default();
         }
         if abilities.refreshes_hints {

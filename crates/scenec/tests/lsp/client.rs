@@ -19,7 +19,6 @@ pub(crate) struct Client {
     /// What came while something else was waited for.
     kept: VecDeque<Value>,
     ended: Receiver<Option<i32>>,
-    process: u32,
     requests: i64,
 }
 
@@ -33,7 +32,6 @@ impl Client {
     pub(crate) fn with(command: &mut Command) -> Self {
         let command = command.arg("lsp").stdin(Stdio::piped()).stdout(Stdio::piped());
         let mut child = command.spawn().unwrap();
-        let process = child.id();
         let input = child.stdin.take();
         let output = BufReader::new(child.stdout.take().unwrap());
         let (send, messages) = channel();
@@ -45,7 +43,6 @@ impl Client {
             messages,
             kept: VecDeque::new(),
             ended,
-            process,
             requests: 0,
         }
     }
@@ -62,11 +59,6 @@ impl Client {
         let offered = self.request("initialize", params).unwrap();
         self.notify("initialized", json!({}));
         offered
-    }
-
-    /// The number of the server's process.
-    pub(crate) fn process(&self) -> u32 {
-        self.process
     }
 
     /// Writes bytes as they are.

@@ -94,7 +94,7 @@ fn a_configuration_counts_and_is_watched() {
     let uri = format!("file://{}/a.scene", folder.path().display());
     let mut client = Client::greeted(json!({
         "textDocument": {"diagnostic": {}},
-        "workspace": {"didChangeWatchedFiles": {"dynamicRegistration": true}, "diagnostic": {"refreshSupport": true}},
+        "workspace": {"didChangeWatchedFiles": {"dynamicRegistration": true}, "diagnostics": {"refreshSupport": true}},
     }));
     let wish = client.question("client/registerCapability");
     let watchers = &wish["params"]["registrations"][0]["registerOptions"]["watchers"];
@@ -123,5 +123,22 @@ fn a_configuration_counts_and_is_watched() {
     assert_eq!(counts(&mut client), Some(json!(2)));
     let told = client.notification("window/showMessage")["message"].take();
     assert!(told.as_str().unwrap().contains("scenec.toml:2:8: "), "{told}");
+    client.farewell();
+}
+
+#[test]
+fn more_than_anybody_reads_is_not_sent() {
+    let mut client = Client::greeted(json!({"textDocument": {"diagnostic": {}}}));
+    client.open(URI, &"x := 1 1\n".repeat(1500));
+    let found = client.findings(URI);
+    let found = found.as_array().unwrap();
+    assert_eq!(found.len(), 1001);
+    assert!(found[..1000].iter().all(|one| one["severity"] == 1));
+    assert!(
+        found[1000]["message"]
+            .as_str()
+            .unwrap()
+            .ends_with("more findings are not shown")
+    );
     client.farewell();
 }

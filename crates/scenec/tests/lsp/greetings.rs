@@ -31,3 +31,36 @@ fn asking_for_findings_is_offered_to_those_who_can_ask() {
     assert_eq!(offered(json!({}))["diagnosticProvider"], json!(null));
     assert!(offered(json!({"textDocument": {"diagnostic": {}}}))["diagnosticProvider"].is_object());
 }
+
+/// Replays a recorded first message, and goes once around with the editor that sent it.
+fn replay(recorded: &str) -> Value {
+    let mut client = Client::new();
+    client.frame(recorded);
+    let greeting: Value = serde_json::from_str(recorded).unwrap();
+    let offered = client.answer(greeting["id"].as_i64().unwrap()).unwrap()["capabilities"].take();
+    client.notify("initialized", json!({}));
+    let uri = "file:///home/me/scenes/a.scene";
+    client.open(uri, "!s := sphere\n!s <=\n");
+    let findings = if offered["diagnosticProvider"].is_object() {
+        client.findings(uri)
+    } else {
+        client.notification("textDocument/publishDiagnostics")["diagnostics"].take()
+    };
+    assert_eq!(findings[0]["code"], "E014");
+    client.farewell();
+    offered
+}
+
+#[test]
+fn neovim_is_sent_findings() {
+    let offered = replay(include_str!("recorded/neovim.json"));
+    assert_eq!(offered["positionEncoding"], "utf-16");
+}
+
+#[test]
+fn visual_studio_code_asks_for_findings() {
+    let offered = replay(include_str!("recorded/visual-studio-code.json"));
+    assert_eq!(offered["positionEncoding"], "utf-16");
+    assert_eq!(offered["diagnosticProvider"]["interFileDependencies"], false);
+    insta::assert_snapshot!(serde_json::to_string_pretty(&offered).unwrap());
+}

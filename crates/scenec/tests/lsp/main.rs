@@ -4,6 +4,7 @@
 
 mod client;
 mod ending;
+mod features;
 mod findings;
 mod frames;
 mod greetings;

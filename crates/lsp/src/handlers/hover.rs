@@ -1,0 +1,20 @@
+//! What is under the mouse.
+
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::lsp_types::{Hover, HoverContents, HoverParams};
+
+use crate::markup::markup;
+use crate::server::Server;
+
+/// # Errors
+/// As [`Server::at`].
+pub(crate) async fn hover(server: &Server, params: HoverParams) -> Result<Option<Hover>> {
+    let at = server.at(params.text_document_position_params, |view, offset| {
+        let hover = scenec_ide::hover(&view.document, offset)?;
+        Some(Hover {
+            contents: HoverContents::Markup(markup(&hover.markdown, view.abilities.markdown_hover)),
+            range: Some(view.range(hover.span)),
+        })
+    });
+    at.await
+}
