@@ -49,6 +49,7 @@ function register(
     openExample: () => openExample(context.extensionUri),
     restart: () => session.restart(),
     showLog: () => session.showLog(),
+    showReferences: session.showPlaces.bind(session),
   };
   for (const [name, run] of Object.entries(commands)) {
     context.subscriptions.push(vscode.commands.registerCommand(`scenec.${name}`, run));

@@ -10,9 +10,12 @@ import {
   type ErrorHandler,
   LanguageClient,
   type LanguageClientOptions,
+  type Location,
   type NotificationType,
+  type Position,
   type RequestType,
   State,
+  type StaticFeature,
   TransportKind,
 } from "vscode-languageclient/node";
 
@@ -77,6 +80,7 @@ export class Session implements vscode.Disposable {
     }
     this.#log.info(`starting ${server.file} (from ${server.origin})`);
     const client = new LanguageClient("scenec", "Scene", serverOptions(server.file), this.#options());
+    client.registerFeature(KNOWS_COMMANDS);
     client.onDidChangeState(event => this.#follow(client, event.newState));
     for (const listener of this.#listeners) {
       listener(client);
@@ -139,6 +143,19 @@ export class Session implements vscode.Disposable {
   /** An edit of the server's in the words of the editor. */
   async edit(edit: Parameters<LanguageClient["protocol2CodeConverter"]["asWorkspaceEdit"]>[0]) {
     return this.#client?.protocol2CodeConverter.asWorkspaceEdit(edit);
+  }
+
+  /** Shows places that the server found in the editor's own list. */
+  async showPlaces(uri: string, place: Position, places: Location[]): Promise<void> {
+    const convert = this.#client?.protocol2CodeConverter;
+    if (convert !== undefined) {
+      await vscode.commands.executeCommand(
+        "editor.action.showReferences",
+        convert.asUri(uri),
+        convert.asPosition(place),
+        places.map(it => convert.asLocation(it)),
+      );
+    }
   }
 
   showLog(): void {
@@ -219,6 +236,16 @@ export class Session implements vscode.Disposable {
     }
   }
 }
+
+/** Tells the server that its lenses may name the commands of this extension. */
+const KNOWS_COMMANDS: StaticFeature = {
+  fillClientCapabilities(capabilities) {
+    capabilities.experimental = { ...capabilities.experimental, scenec: { commands: true } };
+  },
+  initialize() {},
+  getState: () => ({ kind: "static" }),
+  clear() {},
+};
 
 function serverOptions(file: string) {
   return { command: file, args: ["lsp"], transport: TransportKind.stdio };
