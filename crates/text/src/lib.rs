@@ -4,12 +4,14 @@
 
 mod codes;
 mod diagnostic;
+mod repair;
 mod source;
 mod span;
 mod suggest;
 
 pub use codes::{Code, Severity};
 pub use diagnostic::{Diagnostic, Edit, Fix, Label};
+pub use repair::{apply, fitting};
 pub use source::{MAX_FILE_BYTES, Position, SourceFile, TooLarge};
 pub use span::Span;
 pub use suggest::closest;
