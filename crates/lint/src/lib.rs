@@ -18,4 +18,4 @@ mod suppress;
 
 pub use check::{Checked, check, lint};
 pub use page::{PRELUDE, Page, page, pages};
-pub use suppress::suppress;
+pub use suppress::{allow_also, suppress};

@@ -9,7 +9,7 @@ mod remark;
 use std::collections::HashMap;
 
 use scenec_syntax::{Content, Line};
-use scenec_text::{Code, Diagnostic, Severity, SourceFile, Span};
+use scenec_text::{Code, Diagnostic, Edit, Severity, SourceFile, Span};
 
 use crate::findings;
 use allow::Allow;
@@ -29,6 +29,20 @@ pub fn suppress(source: &SourceFile, lines: &[Line], findings: Vec<Diagnostic>) 
     left.extend(allows.remarks(source, |code| code == Some(Code::UselessAllow)));
     findings::sort(&mut left);
     left
+}
+
+/// The edit by which a comment that allows something allows one more code; `None` for any other comment.
+#[must_use]
+pub fn allow_also(comment: Span, text: &str, code: Code) -> Option<Edit> {
+    let allow = Allow::read(comment, text).filter(|allow| allow.verb.of(text) == "allow")?;
+    let (end, separator) = match allow.named.last() {
+        Some(last) => (last.span.end, ", "),
+        None => (allow.verb.end, " "),
+    };
+    Some(Edit {
+        span: Span::at(end),
+        text: format!("{separator}{}", code.id()),
+    })
 }
 
 /// The comments of a file that allow something.
