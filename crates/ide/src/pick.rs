@@ -1,0 +1,139 @@
+//! Between the text and the solids of the scene: what the cursor is on, and what a pixel shows.
+
+use scenec_interpret::Role;
+use scenec_scene::{Scene, SolidId, SolidKind, StepId};
+use scenec_syntax::{Space, Statement};
+use scenec_text::Span;
+
+use crate::Document;
+use crate::names::{Named, name_at, statement};
+use crate::navigate::{Target, target};
+
+/// The solid that the statement at `offset` makes, edits or submits, or the one that an operand under the cursor stands
+/// for: the one in the picture, where an object was edited after it had been taken. `None` where there is no scene.
+#[must_use]
+pub fn object_at(document: &Document, offset: u32) -> Option<SolidId> {
+    let scene = document.scene()?;
+    let line = document.line_at(offset)?;
+    let statement = statement(line)?;
+    if statement.form().info().space != Space::Object {
+        return None;
+    }
+    let shown = Shown::of(scene);
+    if let Some(operand) = operand_at(document, statement, line.span, offset, &shown) {
+        return Some(operand);
+    }
+    if let Some(made) = shown.made_by(line.span) {
+        return Some(made);
+    }
+    let definitions = document.interpretation().symbols.definitions();
+    let subject = name_at(document, statement.name().start)?;
+    let made = definitions.get(subject.definition?.index())?.line;
+    if matches!(statement, Statement::Submit { .. }) {
+        return Some(scene.root);
+    }
+    shown.moved_by(line.span).or_else(|| shown.made_by(made))
+}
+
+/// The statement that made a solid.
+#[must_use]
+pub fn statement_of(document: &Document, solid: SolidId) -> Option<Target> {
+    let line = document.scene()?.solids.get(solid.index())?.span;
+    target(document, line, line)
+}
+
+/// The operand under the cursor, as the combination took it.
+fn operand_at(
+    document: &Document,
+    statement: &Statement,
+    line: Span,
+    offset: u32,
+    shown: &Shown<'_>,
+) -> Option<SolidId> {
+    let Statement::Combination {
+        left: left_name,
+        right: right_name,
+        ..
+    } = statement
+    else {
+        return None;
+    };
+    let name: Named = name_at(document, offset).filter(|name| name.role == Role::Use)?;
+    let combination = shown.made_by(line)?;
+    let SolidKind::Combine { left, right, .. } = shown.scene.solids.get(combination.index())?.kind else {
+        return None;
+    };
+    if name.span == *left_name {
+        Some(left)
+    } else {
+        (name.span == *right_name).then_some(right)
+    }
+}
+
+/// A scene and which of its solids are part of the submitted one.
+struct Shown<'a> {
+    scene: &'a Scene,
+    reached: Vec<bool>,
+}
+
+impl<'a> Shown<'a> {
+    /// Operands stand before the combinations that take them, so one backward pass does.
+    fn of(scene: &'a Scene) -> Self {
+        let mut reached = vec![false; scene.solids.len()];
+        let reach = |reached: &mut Vec<bool>, id: SolidId| {
+            if let Some(place) = reached.get_mut(id.index()) {
+                *place = true;
+            }
+        };
+        reach(&mut reached, scene.root);
+        for (index, solid) in scene.solids.iter().enumerate().rev() {
+            if reached.get(index) != Some(&true) {
+                continue;
+            }
+            match &solid.kind {
+                SolidKind::Combine { left, right, .. } => {
+                    reach(&mut reached, *left);
+                    reach(&mut reached, *right);
+                }
+                SolidKind::Paint { inside, .. } => reach(&mut reached, *inside),
+                SolidKind::Leaf(_) => {}
+            }
+        }
+        Self { scene, reached }
+    }
+
+    /// The best of the solids that `fits`: one of the picture before others, the last of those.
+    fn best(&self, fits: impl Fn(&scenec_scene::Solid) -> bool) -> Option<SolidId> {
+        let solids = self.scene.solids.iter().zip(&self.reached).zip(0..);
+        let fitting = solids.filter(|((solid, _), _)| fits(solid));
+        let best = fitting.max_by_key(|((_, reached), index)| (**reached, *index));
+        best.map(|(_, index)| SolidId(index))
+    }
+
+    /// The solid that a statement made.
+    fn made_by(&self, line: Span) -> Option<SolidId> {
+        self.best(|solid| solid.span == line)
+    }
+
+    /// The leaf that a transform moved.
+    fn moved_by(&self, line: Span) -> Option<SolidId> {
+        let steps = &self.scene.steps;
+        let step = steps.iter().position(|step| step.span == line)?;
+        let step = StepId(u32::try_from(step).ok()?);
+        // Which steps come after this one on the same object: each names one before it.
+        let mut after = vec![false; steps.len()];
+        for (index, other) in steps.iter().enumerate().skip(step.index()) {
+            let follows = other.previous.and_then(|before| after.get(before.index()).copied());
+            if let Some(place) = after.get_mut(index) {
+                *place = index == step.index() || follows == Some(true);
+            }
+        }
+        self.best(|solid| match &solid.kind {
+            SolidKind::Leaf(leaf) => {
+                let last = leaf.steps.and_then(|last| after.get(last.index()).copied());
+                last == Some(true)
+            }
+            _ => false,
+        })
+    }
+}
