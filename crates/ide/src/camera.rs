@@ -1,12 +1,11 @@
 //! Writing a camera into the text.
 
-use scenec_interpret::{DefinitionId, Role};
-use scenec_syntax::{Space, Statement, ValueKind};
+use scenec_interpret::Role;
+use scenec_syntax::{Space, Statement};
 use scenec_text::{Edit, Span};
 
 use crate::Document;
 use crate::insert::{line_end, new_line_after, new_settings};
-use crate::names::statement;
 
 /// A camera to write down.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -101,34 +100,22 @@ struct Place {
 
 /// The statement that sets `name` for good.
 fn place_of(document: &Document, name: &str) -> Option<Place> {
-    let text = document.text();
-    let table = &document.interpretation().symbols;
-    let symbol = table
-        .symbols()
-        .iter()
-        .position(|symbol| symbol.space == Space::Variable && symbol.name.of(text) == name)?;
-    let places = table.occurrences().iter();
-    let mut last: Option<(Span, Option<DefinitionId>)> = None;
+    let symbol = document.symbol(Space::Variable, name)?;
+    let mut last = None;
     let mut read = None;
-    for place in places.filter(|place| place.symbol.0 as usize == symbol) {
+    for place in document.interpretation().symbols.places(symbol) {
         match place.role {
-            Role::Define => (last, read) = (Some((place.span, place.definition)), None),
+            Role::Define => (last, read) = (Some(place), None),
             Role::Edit | Role::Use => read = Some(place.span),
         }
     }
-    let (span, definition) = last?;
-    let line = document.line_at(span.start)?;
-    let Statement::Variable { value, .. } = statement(line)? else {
+    let last = last?;
+    let (Statement::Variable { value, .. }, _) = document.statement_at(last.span.start)? else {
         return None;
-    };
-    let written = match value.kind {
-        ValueKind::Number(number) => Some(value.signed(number)),
-        ValueKind::Pi => Some(value.signed(std::f64::consts::PI)),
-        ValueKind::Name(_) => None,
     };
     Some(Place {
         span: value.span,
-        value: written.filter(|_| definition.is_some()),
+        value: last.definition.and_then(|id| document.facts().value(id)),
         behind: read.and_then(|read| Some(document.line_at(read.start)?.span)),
     })
 }

@@ -1,12 +1,10 @@
 //! Remarks above statements that an editor can act on.
 
-use scenec_interpret::Role;
-use scenec_syntax::Space;
+use scenec_interpret::DefinitionId;
+use scenec_syntax::Statement;
 use scenec_text::Span;
 
 use crate::Document;
-use crate::names::statement;
-use crate::submission::submission;
 
 /// A remark about a statement.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -34,44 +32,34 @@ pub enum LensKind {
 #[must_use]
 pub fn lenses(document: &Document) -> Vec<Lens> {
     let table = &document.interpretation().symbols;
-    let mut uses: Vec<Vec<Span>> = vec![Vec::new(); table.definitions().len()];
-    for place in table.occurrences() {
-        if place.role != Role::Define
-            && let Some(places) = place.definition.and_then(|id| uses.get_mut(id.index()))
-        {
-            places.push(place.span);
-        }
-    }
-    let mut lenses = Vec::new();
-    for (id, definition) in table.numbered_definitions() {
-        let material = table
-            .symbols()
-            .get(definition.symbol.0 as usize)
-            .is_some_and(|symbol| symbol.space == Space::Material);
-        let name = document.line_at(definition.line.start).and_then(statement);
-        if let (true, Some(name)) = (material, name) {
-            lenses.push(Lens {
-                span: name.name(),
-                what: LensKind::Uses {
-                    places: uses.get_mut(id.index()).map(std::mem::take).unwrap_or_default(),
-                },
-            });
-        }
-    }
-    if let Some(submission) = submission(document) {
-        let places = uses.get_mut(submission.definition.index()).map(std::mem::take);
-        for what in [
-            LensKind::Preview,
-            LensKind::Uses {
-                places: places.unwrap_or_default(),
+    let materials = table.numbered_definitions().filter_map(|(id, definition)| {
+        let (statement, _) = document.statement_at(definition.line.start)?;
+        matches!(statement, Statement::Material { .. }).then(|| Lens {
+            span: statement.name(),
+            what: LensKind::Uses {
+                places: places(document, id),
             },
-        ] {
-            lenses.push(Lens {
-                span: submission.name,
-                what,
-            });
-        }
+        })
+    });
+    let mut lenses: Vec<Lens> = materials.collect();
+    if let Some(submission) = document.facts().submission()
+        && let Some((statement, _)) = document.statement_at(submission.line.start)
+    {
+        let uses = LensKind::Uses {
+            places: places(document, submission.object),
+        };
+        let span = statement.name();
+        lenses.extend([LensKind::Preview, uses].map(|what| Lens { span, what }));
     }
     lenses.sort_by_key(|lens| lens.span.start);
     lenses
+}
+
+/// The places that edit or read what a definition made, in the order of the file.
+fn places(document: &Document, id: DefinitionId) -> Vec<Span> {
+    let facts = document.facts();
+    let all = facts.edits(document, id).chain(facts.uses(document, id));
+    let mut places: Vec<Span> = all.map(|place| place.span).collect();
+    places.sort_unstable();
+    places
 }

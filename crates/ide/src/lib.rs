@@ -30,7 +30,6 @@ mod select;
 mod settings;
 mod signature;
 mod solid;
-mod submission;
 mod symbols;
 #[cfg(test)]
 mod tests;

@@ -24,7 +24,7 @@ pub(crate) struct Named {
 pub(crate) fn name_at(document: &Document, offset: u32) -> Option<Named> {
     let symbols = &document.interpretation().symbols;
     if let Some(place) = symbols.at(offset) {
-        let space = symbols.symbols().get(place.symbol.0 as usize)?.space;
+        let space = document.symbol_of(place.symbol)?.space;
         return Some(Named {
             span: place.span,
             space,
@@ -42,13 +42,8 @@ pub(crate) fn name_at(document: &Document, offset: u32) -> Option<Named> {
 pub(crate) fn places(document: &Document, name: Named) -> Vec<Named> {
     let text = document.text();
     let word = name.span.of(text);
-    let table = &document.interpretation().symbols;
-    let symbol = table
-        .symbols()
-        .iter()
-        .position(|symbol| symbol.space == name.space && symbol.name.of(text) == word);
-    let known = table.occurrences().iter();
-    let known = known.filter(|place| Some(place.symbol.0 as usize) == symbol);
+    let symbol = document.symbol(name.space, word).into_iter();
+    let known = symbol.flat_map(|symbol| document.interpretation().symbols.places(symbol));
     let mut found: Vec<Named> = known
         .map(|place| Named {
             span: place.span,

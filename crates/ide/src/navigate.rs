@@ -21,8 +21,7 @@ pub struct Target {
 #[must_use]
 pub fn definition(document: &Document, offset: u32) -> Option<Target> {
     let name = name_at(document, offset)?;
-    let table = document.interpretation().symbols.definitions();
-    let line = match name.definition.and_then(|id| table.get(id.index())) {
+    let line = match name.definition.and_then(|id| document.definition_of(id)) {
         Some(definition) => definition.line,
         None => {
             let places = places(document, name);

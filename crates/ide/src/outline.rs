@@ -59,10 +59,8 @@ pub struct OutlineItem {
 /// last statement that makes it.
 #[must_use]
 pub fn outline(document: &Document) -> Vec<OutlineItem> {
-    let (tree, shown) = tree::submitted(document);
-    let mut items: Vec<OutlineItem> = tree.into_iter().collect();
-    items.extend(list::others(document, &shown));
-    items
+    let tree = tree::submitted(document);
+    tree.into_iter().chain(list::others(document)).collect()
 }
 
 /// What stands for `count` items after or before `line`.

@@ -6,7 +6,7 @@ use scenec_syntax::{Space, Statement};
 use scenec_text::Span;
 
 use crate::Document;
-use crate::names::{Named, name_at, statement};
+use crate::names::{Named, name_at};
 use crate::navigate::{Target, target};
 
 /// The solid that the statement at `offset` makes, edits or submits, or the one that an operand under the cursor stands
@@ -14,25 +14,23 @@ use crate::navigate::{Target, target};
 #[must_use]
 pub fn object_at(document: &Document, offset: u32) -> Option<SolidId> {
     let scene = document.scene()?;
-    let line = document.line_at(offset)?;
-    let statement = statement(line)?;
+    let (statement, line) = document.statement_at(offset)?;
     if statement.form().info().space != Space::Object {
         return None;
     }
     let shown = Shown::of(scene);
-    if let Some(operand) = operand_at(document, statement, line.span, offset, &shown) {
+    if let Some(operand) = operand_at(document, statement, line, offset, &shown) {
         return Some(operand);
     }
-    if let Some(made) = shown.made_by(line.span) {
+    if let Some(made) = shown.made_by(line) {
         return Some(made);
     }
-    let definitions = document.interpretation().symbols.definitions();
-    let subject = name_at(document, statement.name().start)?;
-    let made = definitions.get(subject.definition?.index())?.line;
+    let subject = document.occurrence(statement.name())?;
+    let made = document.definition_of(subject.definition?)?.line;
     if matches!(statement, Statement::Submit { .. }) {
         return Some(scene.root);
     }
-    shown.moved_by(line.span).or_else(|| shown.made_by(made))
+    shown.moved_by(line).or_else(|| shown.made_by(made))
 }
 
 /// The statement that made a solid.

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use scenec_interpret::{Definition, DefinitionId, Occurrence, Role};
+use scenec_interpret::{DefinitionId, Role};
 use scenec_syntax::{Form, Statement};
 use scenec_text::{Diagnostic, Edit, Span};
 
@@ -21,11 +21,10 @@ const MOST: usize = 64;
 pub(super) fn to_the_base_objects(document: &Document, finding: &Diagnostic) -> Option<Offer> {
     let line = document.line_at(finding.span().start)?;
     let transform = statement(line)?;
-    let parts = Parts::of(document);
-    let whole = parts.at(transform.name())?.definition?;
-    let leaves = parts.leaves(whole, line.span)?;
+    let whole = document.occurrence(transform.name())?.definition?;
+    let leaves = leaves(document, whole, line.span)?;
     let earliest = leaves.iter().map(|leaf| leaf.before.start).min()?;
-    if !parts.values_known(line.span, earliest) {
+    if !values_known(document, line.span, earliest) {
         return None;
     }
     let text = document.text();
@@ -63,124 +62,64 @@ struct Leaf {
     before: Span,
 }
 
-/// What is known of every definition.
-struct Parts<'a> {
-    document: &'a Document,
-    definitions: &'a [Definition],
-    places: &'a [Occurrence],
-    /// The places that edit or read each definition.
-    about: Vec<Vec<Occurrence>>,
-}
-
-impl<'a> Parts<'a> {
-    fn of(document: &'a Document) -> Self {
-        let symbols = &document.interpretation().symbols;
-        let definitions = symbols.definitions();
-        let places = symbols.occurrences();
-        let mut about = vec![Vec::new(); definitions.len()];
-        for place in places.iter().filter(|place| place.role != Role::Define) {
-            if let Some(about) = place.definition.and_then(|id| about.get_mut(id.index())) {
-                about.push(*place);
+/// The base objects of a combination; `None` if one of them, or anything between, counts elsewhere too.
+fn leaves(document: &Document, whole: DefinitionId, transform: Span) -> Option<Vec<Leaf>> {
+    let mut others = takers(document, whole).filter(|place| place.start < transform.start);
+    if others.next().is_some() {
+        return None;
+    }
+    let mut leaves = Vec::new();
+    let mut open = vec![document.definition_of(whole)?.line];
+    let mut seen = 0;
+    while let Some(line) = open.pop() {
+        let (Statement::Combination { left, right, .. }, _) = document.statement_at(line.start)? else {
+            return None;
+        };
+        let mut taken: Option<DefinitionId> = None;
+        for name in [*left, *right] {
+            let operand = document.occurrence(name)?.definition?;
+            if taken.replace(operand) == Some(operand) {
+                continue;
+            }
+            let made = document.definition_of(operand)?.line;
+            // What took a base object before keeps it as it was; a combination would not stay the same for others.
+            let mut takers = takers(document, operand).filter(|place| place.start >= line.start);
+            let later = takers.any(|place| place.start >= line.end);
+            match document.statement_at(made.start)? {
+                (Statement::Object { .. }, _) if !later => leaves.push(Leaf { name, before: line }),
+                (Statement::Combination { .. }, _) if !later && is_only_in(document, operand, line) => open.push(made),
+                _ => return None,
             }
         }
-        Self {
-            document,
-            definitions,
-            places,
-            about,
-        }
-    }
-
-    fn at(&self, name: Span) -> Option<Occurrence> {
-        let index = self.places.binary_search_by_key(&name, |place| place.span).ok()?;
-        self.places.get(index).copied()
-    }
-
-    fn statement(&self, line: Span) -> Option<&'a Statement> {
-        statement(self.document.line_at(line.start)?)
-    }
-
-    /// The base objects of a combination; `None` if one of them, or anything between, counts elsewhere too.
-    fn leaves(&self, whole: DefinitionId, transform: Span) -> Option<Vec<Leaf>> {
-        let made = self.definitions.get(whole.index())?.line;
-        let between = |place: &&Occurrence| place.span.start < transform.start;
-        if self
-            .about(whole)
-            .iter()
-            .filter(between)
-            .any(|place| !self.is_paint(place))
-        {
+        seen += 1;
+        if leaves.len() > MOST || seen > MOST {
             return None;
         }
-        let mut leaves = Vec::new();
-        let mut open = vec![made];
-        let mut seen = 0;
-        while let Some(line) = open.pop() {
-            let Some(Statement::Combination { left, right, .. }) = self.statement(line) else {
-                return None;
-            };
-            seen += 1;
-            let mut taken: Option<DefinitionId> = None;
-            for name in [*left, *right] {
-                let operand = self.at(name)?.definition?;
-                if taken.replace(operand) == Some(operand) {
-                    continue;
-                }
-                let made = self.definitions.get(operand.index())?.line;
-                match self.statement(made)? {
-                    Statement::Object { .. } if self.ends_with(operand, line) => {
-                        leaves.push(Leaf { name, before: line })
-                    }
-                    Statement::Combination { .. } if self.is_only_in(operand, line) => open.push(made),
-                    _ => return None,
-                }
-            }
-            if leaves.len() > MOST || seen > MOST {
-                return None;
-            }
-        }
-        Some(leaves)
     }
+    Some(leaves)
+}
 
-    fn about(&self, definition: DefinitionId) -> &[Occurrence] {
-        self.about
-            .get(definition.index())
-            .map(Vec::as_slice)
-            .unwrap_or_default()
-    }
+/// Whether no statement before `line` takes or transforms the object.
+fn is_only_in(document: &Document, definition: DefinitionId, line: Span) -> bool {
+    takers(document, definition).all(|place| place.start >= line.start)
+}
 
-    /// Whether nothing takes the object after the statement at `line`.
-    fn ends_with(&self, definition: DefinitionId, line: Span) -> bool {
-        let places = self.about(definition).iter();
-        places
-            .filter(|place| place.role == Role::Use)
-            .all(|place| place.span.end <= line.end)
-    }
+/// The places that take an object or transform it; giving it a material is all the same to a transform.
+fn takers(document: &Document, definition: DefinitionId) -> impl Iterator<Item = Span> {
+    let facts = document.facts();
+    let all = facts
+        .edits(document, definition)
+        .chain(facts.uses(document, definition));
+    let is_paint = |span: Span| {
+        let statement = document.statement_at(span.start);
+        statement.is_some_and(|(statement, _)| statement.form() == Form::MaterialSet)
+    };
+    all.map(|place| place.span).filter(move |span| !is_paint(*span))
+}
 
-    /// Whether nothing but the statement at `line` takes the object or transforms it.
-    fn is_only_in(&self, definition: DefinitionId, line: Span) -> bool {
-        let inside = |place: &Occurrence| line.start <= place.span.start && place.span.end <= line.end;
-        let places = self.about(definition).iter();
-        places.filter(|place| !self.is_paint(place)).all(inside)
-    }
-
-    /// Whether a place is that of an object that is given a material, which no transform bears on.
-    fn is_paint(&self, place: &Occurrence) -> bool {
-        self.statement(place.span)
-            .is_some_and(|statement| statement.form() == Form::MaterialSet)
-    }
-
-    /// Whether every variable on a line is set before `place`.
-    fn values_known(&self, line: Span, place: u32) -> bool {
-        let first = self.places.partition_point(|other| other.span.start < line.start);
-        let own = self
-            .places
-            .iter()
-            .skip(first)
-            .take_while(|other| other.span.start < line.end);
-        own.filter(|other| other.role == Role::Use).all(|other| {
-            let made = other.definition.and_then(|id| self.definitions.get(id.index()));
-            made.is_some_and(|made| made.line.start < place)
-        })
-    }
+/// Whether every variable on a line is set before `place`.
+fn values_known(document: &Document, line: Span, place: u32) -> bool {
+    let read = document.places_on(line).iter().filter(|other| other.role == Role::Use);
+    let mut made = read.map(|other| document.definition_of(other.definition?));
+    made.all(|made| made.is_some_and(|made| made.line.start < place))
 }

@@ -1,6 +1,5 @@
 //! What is not part of the submitted object, by kind.
 
-use scenec_interpret::Definition;
 use scenec_scene::setting;
 use scenec_syntax::{Space, Statement};
 use scenec_text::Span;
@@ -8,46 +7,37 @@ use scenec_text::Span;
 use super::tree::describe;
 use super::{MOST, OutlineItem, OutlineKind, more};
 use crate::Document;
-use crate::names::statement;
 
 /// The most characters of a statement that an item repeats.
 const LONGEST: usize = 60;
 
-/// The other objects, materials, lights, settings and variables. `shown` tells which definitions are part of the tree.
-pub(super) fn others(document: &Document, shown: &[bool]) -> Vec<OutlineItem> {
+/// The other objects, materials, lights, settings and variables: what their names are bound to last.
+pub(super) fn others(document: &Document) -> impl Iterator<Item = OutlineItem> {
     let mut lists: [List; 5] = std::array::from_fn(|_| List::default());
     let table = &document.interpretation().symbols;
-    let mut last = vec![usize::MAX; table.symbols().len()];
-    let mut in_tree = vec![false; table.symbols().len()];
-    for (index, definition) in table.definitions().iter().enumerate() {
+    let mut last = vec![None; table.symbols().len()];
+    let mut rendered = vec![false; table.symbols().len()];
+    for (id, definition) in table.numbered_definitions() {
         let symbol = definition.symbol.0 as usize;
-        if let (Some(last), Some(in_tree)) = (last.get_mut(symbol), in_tree.get_mut(symbol)) {
-            *last = index;
-            *in_tree |= shown.get(index).copied().unwrap_or_default();
+        if let (Some(last), Some(rendered)) = (last.get_mut(symbol), rendered.get_mut(symbol)) {
+            *last = Some(definition.line);
+            *rendered |= document.facts().taken(id).is_some();
         }
     }
-    for (index, definition) in table.definitions().iter().enumerate() {
-        let symbol = definition.symbol.0 as usize;
-        if last.get(symbol) != Some(&index) || in_tree.get(symbol) != Some(&false) {
-            continue;
-        }
-        let space = table.symbols().get(symbol).map(|symbol| symbol.space);
-        let name = table
-            .symbols()
-            .get(symbol)
-            .map(|symbol| symbol.name.of(document.text()));
-        let place = match space {
-            Some(Space::Object) => 0,
-            Some(Space::Material) => 1,
-            Some(Space::Light) => 2,
-            Some(Space::Variable) if name.and_then(setting).is_some() => 3,
-            _ => 4,
+    for ((symbol, line), rendered) in table.symbols().iter().zip(last).zip(rendered) {
+        let place = match symbol.space {
+            Space::Object if rendered => continue,
+            Space::Object => 0,
+            Space::Material => 1,
+            Space::Light => 2,
+            Space::Variable if setting(document.words(symbol.name)).is_some() => 3,
+            Space::Variable => 4,
         };
-        if let Some(list) = lists.get_mut(place) {
-            list.add(document, definition);
+        if let (Some(line), Some(list)) = (line, lists.get_mut(place)) {
+            list.add(document, line);
         }
     }
-    lists.into_iter().flat_map(List::finish).collect()
+    lists.into_iter().flat_map(List::finish)
 }
 
 #[derive(Default)]
@@ -59,14 +49,15 @@ struct List {
 }
 
 impl List {
-    fn add(&mut self, document: &Document, definition: &Definition) {
-        let statement = document.line_at(definition.line.start).and_then(statement);
-        let Some(statement) = statement else { return };
+    fn add(&mut self, document: &Document, line: Span) {
+        let Some((statement, _)) = document.statement_at(line.start) else {
+            return;
+        };
         if self.items.len() < MOST {
-            self.items.push(item(document.text(), definition.line, statement));
+            self.items.push(item(document.text(), line, statement));
         } else {
             self.left_out += 1;
-            self.last = (definition.line, statement.name());
+            self.last = (line, statement.name());
         }
     }
 

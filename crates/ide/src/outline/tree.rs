@@ -7,16 +7,11 @@ use scenec_text::Span;
 use super::{DEEPEST, MOST, MOST_PARTS, OutlineItem, OutlineKind, more};
 use crate::Document;
 use crate::names::statement;
-use crate::submission::submission;
 
-/// The tree under the submitted object, and which definitions are part of it, shown or not.
-pub(super) fn submitted(document: &Document) -> (Option<OutlineItem>, Vec<bool>) {
-    let made = Made::of(document);
-    let Some(root) = submission(document).map(|submission| submission.definition) else {
-        return (None, vec![false; made.kinds.len()]);
-    };
-    let reached = made.reached(root);
-    (made.tree(root), reached)
+/// The tree under the submitted object.
+pub(super) fn submitted(document: &Document) -> Option<OutlineItem> {
+    let submission = document.facts().submission()?;
+    Made::of(document).tree(submission.object)
 }
 
 /// What every definition of an object takes.
@@ -72,24 +67,6 @@ impl<'a> Made<'a> {
 
     fn symbol(&self, id: DefinitionId) -> Option<SymbolId> {
         self.definitions.get(id.index()).map(|definition| definition.symbol)
-    }
-
-    /// Operands stand before what takes them, so one backward pass finds all parts.
-    fn reached(&self, root: DefinitionId) -> Vec<bool> {
-        let mut reached = vec![false; self.kinds.len()];
-        if let Some(root) = reached.get_mut(root.index()) {
-            *root = true;
-        }
-        for index in (0..self.kinds.len()).rev() {
-            if let (Some(true), Some(Kind::Combination(_, operands))) = (reached.get(index), self.kinds.get(index)) {
-                for operand in operands.iter().flatten() {
-                    if let Some(operand) = reached.get_mut(operand.index()) {
-                        *operand = true;
-                    }
-                }
-            }
-        }
-        reached
     }
 
     /// How many parts an object has that is put together step by step under one name.
