@@ -119,3 +119,43 @@ fn place_of(document: &Document, name: &str) -> Option<Place> {
         behind: read.and_then(|read| Some(document.line_at(read.start)?.span)),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use scenec_text::apply;
+
+    use super::{CameraChange, camera_edits};
+    use crate::tests::document;
+
+    fn check(text: &str, expect: &str) {
+        let change = CameraChange {
+            eye: [1.5, 0.0, -2e-9],
+            lookat: [0.1 + 0.2, 7.0, 1e20],
+            up: None,
+            fov: Some(1.0),
+        };
+        let edits = camera_edits(&document(text), &change);
+        assert_eq!(apply(text, &edits), expect, "{text}");
+        let broken = CameraChange {
+            fov: Some(f64::NAN),
+            ..change
+        };
+        assert_eq!(camera_edits(&document(text), &broken), []);
+    }
+
+    #[test]
+    fn values_change_where_they_stand() {
+        check(
+            "eyepos_x := 4.0 / left\r\nd := 3\r\neyepos_y := -d\r\neyepos_z := 1\r\nlookat_x := pi\r\nlookat_y := 7.0\r\nlookat_z := 0\r\nfov := 2\r\n",
+            "eyepos_x := 1.5 / left\r\nd := 3\r\neyepos_y := 0\r\neyepos_z := -2e-9\r\nlookat_x := 0.30000000000000004\r\nlookat_y := 7.0\r\nlookat_z := 1e20\r\nfov := 1\r\n",
+        );
+    }
+
+    #[test]
+    fn what_is_missing_comes_behind_the_settings_and_what_is_read_stays() {
+        check(
+            "/ c\neyepos_x := 1\neyepos_y := 0\neyepos_z := -2e-9\nlookat_x := 0.30000000000000004\nlookat_y := 7\n!s := sphere\n!s += eyepos_x 0 0",
+            "/ c\neyepos_x := 1\neyepos_y := 0\neyepos_z := -2e-9\nlookat_x := 0.30000000000000004\nlookat_y := 7\nlookat_z := 1e20\nfov := 1\n!s := sphere\n!s += eyepos_x 0 0\neyepos_x := 1.5",
+        );
+    }
+}

@@ -107,3 +107,19 @@ pub(crate) fn fold_around(document: &Document, number: u32) -> Option<Fold> {
     }
     (fold.first_line < fold.last_line).then_some(fold)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::folds;
+    use crate::tests::document;
+
+    #[test]
+    fn runs_without_a_gap_fold() {
+        let text = "/ a\n/ b\nwidth := 1\nq := 2\n\nq := 3\n!a := sphere\n!a += 1 1 1\n!b := hp\n!b *= 1 1\n";
+        let found: Vec<_> = folds(&document(text))
+            .iter()
+            .map(|fold| (fold.first_line, fold.last_line))
+            .collect();
+        assert_eq!(found, [(0, 1), (2, 3), (6, 7), (8, 9)]);
+    }
+}

@@ -178,3 +178,53 @@ fn trimmed(text: &str, span: Span, new: &str) -> Option<Edit> {
         text: new_rest.get(..new_rest.len() - tail)?.to_owned(),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use scenec_text::{Span, apply};
+
+    use super::{FormatStyle, format, format_line, format_lines};
+    use crate::tests::document;
+
+    fn check(text: &str, expect: &[(&str, &str)]) {
+        let edits = format(&document(text), FormatStyle::default()).unwrap();
+        let found: Vec<_> = edits
+            .iter()
+            .map(|edit| (edit.span.of(text), edit.text.as_str()))
+            .collect();
+        assert_eq!(found, expect, "{text:?}");
+    }
+
+    #[test]
+    fn only_what_differs_is_an_edit() {
+        check("a := 1\nb := 2\n", &[]);
+        check("a := 1\nb:= 2\nc := 3\n", &[("", " ")]);
+        check("a := 1\n\n\n\nb := 2", &[("\n\n", ""), ("", "\n")]);
+        check("a := 1\r\nb := 2\r\nc := 3\nd := 4\r\n", &[("\n", "\r\n")]);
+        check("  a := 1 / c  \n", &[("  ", ""), ("/ c  ", " / c")]);
+    }
+
+    #[test]
+    fn a_range_leaves_the_rest_and_broken_lines_alone() {
+        let text = " a:=1 \n b:=2 \n ?? \n c:=3 ";
+        let document = document(text);
+        let style = FormatStyle::default();
+        assert_eq!(
+            apply(text, &format_line(&document, 1, style)),
+            " a:=1 \nb := 2\n ?? \n c:=3 "
+        );
+        assert_eq!(
+            apply(text, &format_lines(&document, 1, 3, style)),
+            " a:=1 \nb := 2\n ?? \nc := 3"
+        );
+        assert_eq!(format(&document, style).unwrap_err().span, Span::new(15, 17));
+        assert_eq!(format_line(&document, 2, style), []);
+    }
+
+    #[test]
+    fn a_line_keeps_the_columns_of_its_neighbours() {
+        let text = "a := 1\nlonger := 10\nb := 2\n";
+        let edits = format_line(&document(text), 2, FormatStyle { align: true });
+        assert_eq!(apply(text, &edits), "a := 1\nlonger := 10\nb      :=  2\n");
+    }
+}

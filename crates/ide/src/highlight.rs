@@ -27,3 +27,16 @@ pub fn highlights(document: &Document, offset: u32) -> Vec<Highlight> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::highlights;
+    use crate::marked::marked;
+
+    #[test]
+    fn what_binds_or_changes_is_told_from_what_reads() {
+        let (document, offset) = marked("!a := sphere\n!$0a += 1 1 1\n!u := a | a\na := 1");
+        let found: Vec<bool> = highlights(&document, offset).iter().map(|place| place.write).collect();
+        assert_eq!(found, [true, true, false, false]);
+    }
+}

@@ -63,3 +63,26 @@ fn places(document: &Document, id: DefinitionId) -> Vec<Span> {
     places.sort_unstable();
     places
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{LensKind, lenses};
+    use crate::tests::document;
+
+    #[test]
+    fn the_submission_and_the_materials_have_one() {
+        let text = "?m := 1 1 1 1 1 1 1 1 1 1\n!a := sphere\n!a ?= m\n!u := a | a\n!u ?= m\n!u <=\n!a <=";
+        let document = document(text);
+        let found: Vec<_> = lenses(&document)
+            .into_iter()
+            .map(|lens| {
+                let line = document.source().line_of(lens.span.start);
+                match lens.what {
+                    LensKind::Preview => (line, None),
+                    LensKind::Uses { places } => (line, Some(places.len())),
+                }
+            })
+            .collect();
+        assert_eq!(found, [(0, Some(2)), (5, None), (5, Some(2))]);
+    }
+}

@@ -52,3 +52,39 @@ pub(crate) fn target(document: &Document, origin: Span, line: Span) -> Option<Ta
     let name = subject(document.line_at(line.start)?)?;
     Some(Target { origin, line, name })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{definition, references};
+    use crate::marked::marked;
+
+    /// The line from 1 that the definition stands on, and the lines of the references without it.
+    fn check(text: &str, expect: Option<u32>, uses: &[u32]) {
+        let (document, offset) = marked(text);
+        let line = |span: scenec_text::Span| document.source().line_of(span.start) + 1;
+        assert_eq!(
+            definition(&document, offset).map(|target| line(target.line)),
+            expect,
+            "{text}"
+        );
+        let found: Vec<u32> = references(&document, offset, false).into_iter().map(line).collect();
+        assert_eq!(found, uses, "{text}");
+    }
+
+    #[test]
+    fn a_name_leads_to_what_it_is_bound_to_there() {
+        check("!a := sphere\n!a := hp\n!u := $0a | a\n!a := sphere", Some(2), &[3, 3]);
+        check("a := 1\n!a := sphere\n!a += a$0 0 0", Some(1), &[3]);
+        check("?m := 1 1 1 1 1 1 1 1 1 1\n!a ?= m$0", Some(1), &[2]);
+        check("!u := $0a | b\n!a := sphere", Some(2), &[1]);
+        check("!u := $0sphere", None, &[]);
+        check("b := 1 $0/ b", None, &[]);
+    }
+
+    #[test]
+    fn half_a_line_leads_on_too() {
+        check("!a := sphere\n!u := a$0 |", Some(1), &[2]);
+        check("?m := 1 1 1 1 1 1 1 1 1 1\n!a ?= m$0 m", Some(1), &[2, 2]);
+        check("q := 1\n*l := 1 q$0", Some(1), &[2]);
+    }
+}

@@ -74,3 +74,65 @@ fn more(count: usize, line: Span, name_span: Span) -> OutlineItem {
         children: Vec::new(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::fmt::Write;
+
+    use super::{OutlineItem, outline};
+    use crate::tests::document;
+
+    fn show(items: &[OutlineItem], depth: usize, out: &mut String) {
+        for item in items {
+            writeln!(out, "{}{} ({})", "  ".repeat(depth), item.name, item.detail).unwrap();
+            show(&item.children, depth + 1, out);
+        }
+    }
+
+    fn check(text: &str, expect: &str) {
+        let mut found = String::new();
+        show(&outline(&document(text)), 0, &mut found);
+        assert_eq!(found.trim_end(), expect, "{text}");
+    }
+
+    #[test]
+    fn the_submitted_object_comes_first_with_its_parts() {
+        check(
+            "width := 5\nq := pi\n!a := sphere\n!b := hp\n!c := sphere\n!u := a | b\n!u := u - c\n!u <=\n\
+             ?m := 0 0 0 0 0 0 0 1 .5 0\n*l := 1 2 3 4 5 6",
+            "!u (subtraction)\n  !a (sphere)\n  !b (hp)\n  !c (less sphere)\n?m (1 .5 0)\n*l (1 2 3)\nwidth (5)\nq (pi)",
+        );
+        check(
+            "!a := sphere\n!b := hp\n!b <=\nbroken",
+            "!b (hp)\n!a (sphere, not rendered)",
+        );
+    }
+
+    #[test]
+    fn shared_parts_are_taken_apart_once() {
+        check(
+            "!a := sphere\n!b := a | a\n!c := b & b\n!c <=",
+            "!c (intersection)\n  !b (union, shown before)\n  !b (cut to union)\n    !a (sphere)\n    !a (sphere)",
+        );
+        let doubling: String = (1..200)
+            .map(|n| format!("!d{n} := d{} | d{}\n", n - 1, n - 1))
+            .collect();
+        let items = outline(&document(&format!("!d0 := sphere\n{doubling}!d199 <=")));
+        assert_eq!(count(&items), 2 * 24 + 2);
+    }
+
+    #[test]
+    fn long_chains_are_cut() {
+        let chain = "!u := u | a\n".repeat(100_000);
+        let items = outline(&document(&format!("!a := sphere\n!u := sphere\n{chain}!u <=")));
+        assert_eq!(count(&items), 502);
+        assert_eq!(items[0].children[0].name, "… 99501 more");
+        let deep: String = (1..100_000).map(|n| format!("!d{n} := d{} | a\n", n - 1)).collect();
+        let items = outline(&document(&format!("!a := sphere\n!d0 := sphere\n{deep}!d99999 <=")));
+        assert!(count(&items) < 100);
+    }
+
+    fn count(items: &[OutlineItem]) -> usize {
+        items.iter().map(|item| 1 + count(&item.children)).sum()
+    }
+}

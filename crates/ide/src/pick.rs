@@ -135,3 +135,35 @@ impl<'a> Shown<'a> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use scenec_scene::SETTINGS;
+
+    use super::{object_at, statement_of};
+    use crate::marked::marked;
+
+    /// The statement that made the solid at the cursor, or nothing.
+    fn check(text: &str, expect: &str) {
+        let required = SETTINGS.iter().filter(|row| row.default.is_none());
+        let settings: String = required
+            .map(|row| format!("{} := {}\n", row.name, row.name.len()))
+            .collect();
+        let (document, offset) = marked(&format!("{text}\neyepos_x := 1\n{settings}eyepos_x := 2"));
+        let solid = object_at(&document, offset);
+        let made = solid.and_then(|solid| statement_of(&document, solid));
+        assert_eq!(made.map_or("", |made| made.line.of(document.text())), expect, "{text}");
+    }
+
+    #[test]
+    fn the_cursor_finds_the_solid_of_its_statement() {
+        let rest = "\n!b := hp\n!u := a | b\n!u <=";
+        check(&format!("!a := sphere\n!a +=$0 1 2 3{rest}"), "!a := sphere");
+        check(&format!("$0!a := sphere{rest}"), "!a := sphere");
+        check("!a := sphere\n!b := hp\n!u := a | $0b\n!u <=", "!b := hp");
+        check("!a := sphere\n!b := hp\n!u $0:= a | b\n!u <=", "!u := a | b");
+        check("!a := sphere\n!b := hp\n!u := a | b\n!$0u <=", "!u := a | b");
+        check("!a := sphere\n!a <=\n$0*l := 1 2 3 4 5 6", "");
+        check("!a := sphere\n!a <=\n$0oops", "");
+    }
+}

@@ -98,3 +98,40 @@ impl<'a> Pieces<'a> {
         edits
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use scenec_text::{Edit, Span, apply};
+
+    use super::Pieces;
+
+    /// Rounds of edits: from, to, and what stands there then.
+    fn check(old: &str, rounds: &[&[(u32, u32, &str)]], expect: &str) {
+        let mut pieces = Pieces::new(old);
+        for round in rounds {
+            let edit = |(start, end, text): &(u32, u32, &str)| Edit {
+                span: Span::new(*start, *end),
+                text: (*text).to_owned(),
+            };
+            let edits: Vec<Edit> = round.iter().map(edit).collect();
+            let stepwise = apply(&pieces.text(), &edits);
+            pieces.apply(&edits);
+            assert_eq!(pieces.text(), stepwise, "{rounds:?}");
+        }
+        assert_eq!(pieces.text(), expect, "{rounds:?}");
+        assert_eq!(apply(old, &pieces.edits()), expect, "{rounds:?}");
+    }
+
+    #[test]
+    fn several_rounds_are_one() {
+        check("abcdef", &[], "abcdef");
+        check("abcdef", &[&[(1, 2, "BB"), (4, 4, "-")]], "aBBcd-ef");
+        check(
+            "abcdef",
+            &[&[(1, 2, "BB"), (4, 4, "-")], &[(0, 3, ""), (5, 5, "!")]],
+            "cd!-ef",
+        );
+        check("abcdef", &[&[(0, 6, "")], &[(0, 0, "x")], &[(1, 1, "y")]], "xy");
+        check("abcdef", &[&[(6, 6, "g")], &[(5, 7, "")]], "abcde");
+    }
+}

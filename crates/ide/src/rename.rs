@@ -151,3 +151,64 @@ fn first_line_of(document: &Document, space: Space, name: &str) -> Option<u32> {
     let first = known.chain(guessed).min()?;
     Some(document.source().line_of(first))
 }
+
+#[cfg(test)]
+mod tests {
+    use scenec_text::apply;
+
+    use super::{prepare_rename, rename};
+    use crate::marked::marked;
+
+    /// The text afterwards, or why there is none.
+    fn check(text: &str, to: &str, expect: &str) {
+        let (document, offset) = marked(text);
+        let found = match rename(&document, offset, to) {
+            Ok(edits) => apply(document.text(), &edits),
+            Err(error) => error.to_string(),
+        };
+        assert_eq!(found, expect, "{text}");
+    }
+
+    #[test]
+    fn every_place_of_the_space_changes_and_no_other() {
+        check(
+            "a := 1\n!a := sphere\n!$0a += a a 0\n!u := a - a",
+            "é_1",
+            "a := 1\n!é_1 := sphere\n!é_1 += a a 0\n!u := é_1 - é_1",
+        );
+        check("!a := sphere\n!u := $0a | ", "!b", "!b := sphere\n!u := b | ");
+        check("$0raydepth := 1", "max_reflections", "max_reflections := 1");
+    }
+
+    #[test]
+    fn what_would_change_the_meaning_is_refused() {
+        check("a := 1\nb := $0a", "b", "`b` is taken: it stands on line 2");
+        check(
+            "!a := sphere\n!b <=\n!$0a <=",
+            "b",
+            "`!b` is taken: it stands on line 2",
+        );
+        check(
+            "b := $0a",
+            "1a",
+            "`1a` is no name: a name is a letter or `_`, then letters, digits and `_`",
+        );
+        check(
+            "b := $0a",
+            "",
+            "`` is no name: a name is a letter or `_`, then letters, digits and `_`",
+        );
+        check("b := $0a", "pi", "`pi` is a constant and can't be assigned");
+        check("!$0a := sphere", "pi", "!pi := sphere");
+        check("b := $0a", "width", "`width` is a setting, which is known by its name");
+        check("$0width := 1", "w", "`width` is a setting, which is known by its name");
+        check("!a := $0sphere", "w", "there is no name here to change");
+    }
+
+    #[test]
+    fn the_place_to_rename_is_the_name_without_its_sigil() {
+        let (document, offset) = marked("!ball$0 := sphere");
+        let found = prepare_rename(&document, offset).unwrap();
+        assert_eq!((found.span.start, found.placeholder.as_str()), (1, "ball"));
+    }
+}

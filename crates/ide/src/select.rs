@@ -73,3 +73,37 @@ fn word_at(line: Span, text: &str, offset: u32) -> Option<Span> {
         .filter(|word| holds(*word, offset))
         .last()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::selections;
+    use crate::marked::marked;
+
+    fn check(text: &str, expect: &[&str]) {
+        let (document, offset) = marked(text);
+        let found: Vec<_> = selections(&document, offset)
+            .iter()
+            .map(|span| span.of(document.text()))
+            .collect();
+        assert_eq!(found, expect, "{text}");
+    }
+
+    #[test]
+    fn pieces_grow_from_the_word_to_the_text() {
+        check(
+            "a := 1\n\n!s := hp\n!s += -$01 2 3 / up",
+            &[
+                "1",
+                "-1",
+                "-1 2 3",
+                "!s += -1 2 3",
+                "!s += -1 2 3 / up",
+                "!s := hp\n!s += -1 2 3 / up",
+                "a := 1\n\n!s := hp\n!s += -1 2 3 / up",
+            ],
+        );
+        check("a $0", &["a "]);
+        check("$0", &[""]);
+        check("/ $0c\nb", &["/ c", "/ c\nb"]);
+    }
+}

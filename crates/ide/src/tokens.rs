@@ -231,3 +231,60 @@ fn named(word: &str, space: Space, role: Option<Role>) -> (TokenKind, Modifiers)
         Space::Variable => (TokenKind::Variable, role),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use scenec_text::Span;
+
+    use super::{Modifiers, tokens};
+    use crate::tests::document;
+
+    /// Every word with the name of its kind and the letters of its modifiers.
+    fn check(text: &str, expect: &str) {
+        let document = document(text);
+        let all = tokens(&document, Span::new(0, u32::try_from(text.len()).unwrap()));
+        let found: Vec<String> = all
+            .iter()
+            .map(|token| {
+                let bits = (0..4).filter(|bit| token.modifiers.bits() & (1 << bit) != 0);
+                let letters: String = bits.map(|bit| &Modifiers::STANDARD_NAMES[bit][..1]).collect();
+                format!("{} {}{letters}", token.span.of(text), token.kind.standard_name())
+            })
+            .collect();
+        assert_eq!(found.join(", "), expect, "{text}");
+    }
+
+    #[test]
+    fn names_are_told_apart_by_their_space() {
+        check("width := pi", "width propertydd, := operator, pi variablerd");
+        check(
+            "a := -1 / c\r\n",
+            "a variabled, := operator, - operator, 1 number, / c comment",
+        );
+        check(
+            "!s := sphere\n!s ?= m",
+            "! class, s classd, := operator, sphere keywordd, ! class, s classm, ?= operator, m enumMember",
+        );
+        check("*l := 1 2", "* function, l functiond, := operator, 1 number, 2 number");
+    }
+
+    #[test]
+    fn broken_lines_are_coloured_as_far_as_they_are_words() {
+        check(
+            "!z := sphere | x $ y",
+            "! class, z classd, := operator, sphere keywordd, | operator, x class, y class",
+        );
+        check(
+            "!z ?= m m",
+            "! class, z classm, ?= operator, m enumMember, m enumMember",
+        );
+        check("$$", "");
+    }
+
+    #[test]
+    fn a_part_is_the_same_as_in_the_whole() {
+        let document = document("a := 1\nb := a\nc := b");
+        let part: Vec<_> = tokens(&document, Span::at(8)).iter().map(|token| token.span).collect();
+        assert_eq!(part, [Span::new(7, 8), Span::new(9, 11), Span::new(12, 13)]);
+    }
+}
