@@ -98,24 +98,22 @@ struct Place {
     behind: Option<Span>,
 }
 
-/// The statement that sets `name` for good.
+/// The last statement that sets `name`; a line that fits no statement is none.
 fn place_of(document: &Document, name: &str) -> Option<Place> {
     let symbol = document.symbol(Space::Variable, name)?;
     let mut last = None;
     let mut read = None;
     for place in document.interpretation().symbols.places(symbol) {
-        match place.role {
-            Role::Define => (last, read) = (Some(place), None),
-            Role::Edit | Role::Use => read = Some(place.span),
+        if place.role != Role::Define {
+            read = Some(place.span);
+        } else if let Some((Statement::Variable { value, .. }, _)) = document.statement_at(place.span.start) {
+            (last, read) = (Some((value.span, place.definition)), None);
         }
     }
-    let last = last?;
-    let (Statement::Variable { value, .. }, _) = document.statement_at(last.span.start)? else {
-        return None;
-    };
+    let (span, definition) = last?;
     Some(Place {
-        span: value.span,
-        value: last.definition.and_then(|id| document.facts().value(id)),
+        span,
+        value: definition.and_then(|id| document.facts().value(id)),
         behind: read.and_then(|read| Some(document.line_at(read.start)?.span)),
     })
 }
