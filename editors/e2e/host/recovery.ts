@@ -15,7 +15,7 @@ function servers(): number[] {
   });
   return children
     .split("\n")
-    .filter(line => / lsp$/.test(line.trimEnd()))
+    .filter(line => / lsp\b/.test(line))
     .map(line => Number.parseInt(line, 10));
 }
 
