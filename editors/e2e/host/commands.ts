@@ -57,6 +57,16 @@ export const tests: Tests = {
     await vscode.window.tabGroups.close(tab);
   },
 
+  async "a finding's code leads to its page"() {
+    await vscode.commands.executeCommand("scenec.explain", "W005");
+    const tab = await until("the page", () =>
+      vscode.window.tabGroups.all.flatMap(group => group.tabs).find(tab => tab.label.includes("W005.md")),
+    );
+    await vscode.window.tabGroups.close(tab);
+    const page = await vscode.workspace.openTextDocument(vscode.Uri.parse("scenec-rule:W005.md"));
+    assert.match(page.getText(), /submission/);
+  },
+
   async "the example is a scene without findings"() {
     const editor = (await vscode.commands.executeCommand("scenec.openExample")) as vscode.TextEditor;
     assert.equal(editor.document.languageId, "scene");

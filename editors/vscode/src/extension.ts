@@ -1,8 +1,8 @@
 // The extension: its parts, and what the editor's commands ask of them.
 
 import * as vscode from "vscode";
-
 import { openExample } from "./commands/example.ts";
+import { linksToPages, rulePages } from "./commands/explain.ts";
 import { Plans } from "./commands/plan.ts";
 import { renderToFile } from "./commands/render.ts";
 import { Previews } from "./preview/previews.ts";
@@ -13,11 +13,18 @@ import { Tasks } from "./tasks.ts";
 let session: Session | undefined;
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
-  session = new Session(context.extensionPath);
+  session = new Session(context.extensionPath, linksToPages);
   const previews = new Previews(context.extensionUri, session);
   const plans = new Plans(session);
   const tasks = new Tasks(session);
-  context.subscriptions.push(session, previews, plans.register(), tasks.register(), statusItem(session));
+  context.subscriptions.push(
+    session,
+    previews,
+    plans.register(),
+    tasks.register(),
+    rulePages(session),
+    statusItem(session),
+  );
   context.subscriptions.push(
     vscode.workspace.onDidChangeConfiguration(event => {
       if (event.affectsConfiguration("scenec.server.path")) {

@@ -13,17 +13,17 @@ function check(facts: Facts, short: string, long: RegExp): void {
 }
 
 test("the item says how things stand", () => {
-  check({ server: "starting" }, "$(loading~spin) Scene", /starting/);
-  check({ server: "down", reason: "gone" }, "$(error) Scene", /gone/);
-  check({ server: "running", version: "1.2" }, "Scene", /^scenec 1.2$/);
-  check({ server: "running", drawing: DRAWING }, "Scene · cpu · 12 ms", /Renders on: cpu[\s\S]*12 ms/);
-  check({ server: "running", drawing: { ...DRAWING, milliseconds: null } }, "Scene · cpu", /cpu$/);
+  check({ server: "starting" }, "$(loading~spin) scenec", /starting/);
+  check({ server: "down", reason: "gone" }, "$(error) scenec", /gone/);
+  check({ server: "running", version: "1.2" }, "scenec", /^scenec 1.2$/);
+  check({ server: "running", drawing: DRAWING }, "scenec · cpu · 12 ms", /Renders on: cpu[\s\S]*12 ms/);
+  check({ server: "running", drawing: { ...DRAWING, milliseconds: null } }, "scenec · cpu", /cpu$/);
   check(
     { server: "running", drawing: { ...DRAWING, state: "down", message: "no" } },
-    "$(warning) Scene",
+    "$(warning) scenec",
     /no$/,
   );
-  check({ server: "running", drawing: { ...DRAWING, state: "restarting" } }, "$(warning) Scene", /anew/);
+  check({ server: "running", drawing: { ...DRAWING, state: "restarting" } }, "$(warning) scenec", /anew/);
 });
 
 test("times are short", () => {

@@ -11,6 +11,7 @@ import {
   LanguageClient,
   type LanguageClientOptions,
   type Location,
+  type Middleware,
   type NotificationType,
   type Position,
   type RequestType,
@@ -43,6 +44,7 @@ function runs(file: string): boolean {
 
 export class Session implements vscode.Disposable {
   readonly #extension: string;
+  readonly #middleware: Middleware;
   readonly #log = vscode.window.createOutputChannel("Scene", { log: true });
   readonly #changed = new vscode.EventEmitter<SessionState>();
   readonly #listeners: ((client: LanguageClient) => void)[] = [];
@@ -51,8 +53,9 @@ export class Session implements vscode.Disposable {
 
   readonly onState = this.#changed.event;
 
-  constructor(extension: string) {
+  constructor(extension: string, middleware: Middleware) {
     this.#extension = extension;
+    this.#middleware = middleware;
   }
 
   get state(): SessionState {
@@ -176,6 +179,7 @@ export class Session implements vscode.Disposable {
       ],
       outputChannel: this.#log,
       initializationOptions: vscode.workspace.getConfiguration("scenec"),
+      middleware: this.#middleware,
       errorHandler: this.#errorHandler(),
       markdown: { supportHtml: false },
     };
