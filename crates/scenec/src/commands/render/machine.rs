@@ -19,6 +19,9 @@ const PRECISIONS: &[(Option<Precision>, &str)] = &[
     (Some(Precision::F64), "f64"),
 ];
 
+/// What was asked for; `None` for `auto`. Under this name an argument of the parser's own type, not one that may be missing.
+type Asked = Option<Precision>;
+
 /// Arguments about what computes.
 #[derive(Args, Debug)]
 #[command(next_help_heading = "Device")]
@@ -36,7 +39,7 @@ pub(super) struct MachineOptions {
     /// `auto` takes f32 unless the scene shows before it is traced that f32 can't tell it: an eye too far away for its
     /// field of view, surfaces that almost coincide, sizes that span too much.
     #[arg(long, value_name = "TYPE", default_value = "auto", value_parser = named(PRECISIONS))]
-    precision: Option<Precision>,
+    precision: Asked,
     /// Threads of the built-in tracers; as many as the machine has unless given
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
