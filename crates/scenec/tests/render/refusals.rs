@@ -58,7 +58,7 @@ fn arguments_out_of_range_are_refused_in_the_words_of_the_settings() {
         ("--threads 0", "0 is not in 1..=1024"),
         ("--quality 101", "101 is not in 1..=100"),
         ("--device gpu", "a device is auto, cpu"),
-        ("--precision f16", "possible values: f32, f64"),
+        ("--precision f16", "possible values: auto, f32, f64"),
         ("--depth 12", "possible values: 8, 16, float"),
         ("--crop 1,2,3", "X,Y,W,H"),
         (
