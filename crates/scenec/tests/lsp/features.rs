@@ -108,6 +108,18 @@ ambient_int_r := 1\nambient_int_g := 1\nambient_int_b := 1
             .extend(more.as_object().unwrap().clone());
         self.whole(method, params)
     }
+
+    fn edited(&self, edits: &Value) -> String {
+        let mut text = self.text.clone();
+        let mut edits: Vec<_> = edits.as_array().unwrap().iter().collect();
+        edits.sort_by_key(|edit| self.words(&edit["range"]).as_ptr() as usize);
+        for edit in edits.into_iter().rev() {
+            let words = self.words(&edit["range"]);
+            let start = words.as_ptr() as usize - self.text.as_ptr() as usize;
+            text.replace_range(start..start + words.len(), edit["newText"].as_str().unwrap());
+        }
+        text
+    }
 }
 
 fn list(value: &Value) -> impl Iterator<Item = &Value> {
@@ -207,4 +219,266 @@ fn colours() {
         json!({"color": picked, "range": found[0]["range"]}),
     );
     assert_eq!(list(&offered[0]["additionalTextEdits"]).count(), 2);
+}
+
+#[test]
+fn semantic_tokens() {
+    let mut scene = Scene::new(able());
+    let full = scene.whole("semanticTokens/full", json!({}));
+    let numbers = list(&full["data"]).count();
+    assert!(numbers > 100 && numbers.is_multiple_of(5));
+    let line = scene.place("!ball := sphere")["line"].as_u64().unwrap();
+    let range = json!({"range": {"start": {"line": line, "character": 0}, "end": {"line": line, "character": 3}}});
+    let part = scene.whole("semanticTokens/range", range);
+    assert_eq!(part["data"][0], line);
+    let place = json!({"line": 2, "character": 0});
+    scene.client.change(
+        URI,
+        2,
+        json!([{"range": {"start": place, "end": place}, "text": "/ more\n"}]),
+    );
+    let delta = scene.whole(
+        "semanticTokens/full/delta",
+        json!({"previousResultId": full["resultId"]}),
+    );
+    let edit = &delta["edits"][0];
+    assert!(list(&edit["data"]).count() < 20, "{edit}");
+    let renewed = scene.whole("semanticTokens/full", json!({}));
+    let mut patched: Vec<Value> = list(&full["data"]).cloned().collect();
+    let start = edit["start"].as_u64().unwrap() as usize;
+    patched.splice(
+        start..start + edit["deleteCount"].as_u64().unwrap() as usize,
+        list(&edit["data"]).cloned(),
+    );
+    assert_eq!(json!(patched), renewed["data"]);
+    let unknown = scene.whole("semanticTokens/full/delta", json!({"previousResultId": "?"}));
+    assert_eq!(unknown["data"], renewed["data"]);
+}
+
+#[test]
+fn names() {
+    let mut scene = Scene::new(able());
+    let found = scene.at("documentHighlight", "ball += 0", json!({}));
+    assert!(list(&found).all(|place| scene.words(&place["range"]) == "ball"));
+    assert!(list(&found).any(|place| place["kind"] == 2) && list(&found).any(|place| place["kind"] == 3));
+    let found = scene.at("definition", "ball | plate", json!({}));
+    assert_eq!(scene.words(&found[0]["targetRange"]), "!ball := sphere");
+    assert_eq!(scene.words(&found[0]["targetSelectionRange"]), "ball");
+    assert_eq!(scene.words(&found[0]["originSelectionRange"]), "ball");
+    let plain = Scene::new(json!({})).at("definition", "ball | plate", json!({}));
+    assert_eq!(plain, json!({"uri": URI, "range": found[0]["targetSelectionRange"]}));
+    let count = |scene: &mut Scene, own: bool| {
+        let found = scene.at("references", "red\n", json!({"context": {"includeDeclaration": own}}));
+        list(&found)
+            .map(|place| scene.words(&place["range"]).to_owned())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!((count(&mut scene, true).len(), count(&mut scene, false).len()), (2, 1));
+}
+
+#[test]
+fn rename() {
+    let mut scene = Scene::new(able());
+    let found = scene.at("prepareRename", "ball | plate", json!({}));
+    assert_eq!(
+        (scene.words(&found["range"]), &found["placeholder"]),
+        ("ball", &json!("ball"))
+    );
+    let found = scene.at("rename", "ball | plate", json!({"newName": "globe"}));
+    let document = &found["documentChanges"][0];
+    assert_eq!(document["textDocument"], json!({"uri": URI, "version": 1}));
+    let edited = scene.edited(&document["edits"]);
+    assert!(
+        !edited.contains("!ball") && edited.contains("!all := globe | plate"),
+        "{edited}"
+    );
+    let params = json!({"textDocument": {"uri": URI}, "position": scene.place("ball | plate"), "newName": "1st"});
+    let refused = scene.client.request("textDocument/rename", params).unwrap_err();
+    assert_eq!(refused["code"], -32803);
+    assert!(refused["message"].as_str().unwrap().contains("`1st`"), "{refused}");
+    let params = json!({"textDocument": {"uri": URI}, "position": scene.place("width")});
+    let refused = scene.client.request("textDocument/prepareRename", params).unwrap_err();
+    assert!(refused["message"].as_str().unwrap().contains("`width`"), "{refused}");
+    let found = Scene::new(json!({})).at("rename", "ball | plate", json!({"newName": "globe"}));
+    assert!(found["changes"][URI].is_array(), "{found}");
+}
+
+#[test]
+fn symbols() {
+    let mut scene = Scene::new(able());
+    let tree = scene.whole("documentSymbol", json!({}));
+    assert_eq!(tree[0]["name"], "!all");
+    let children: Vec<_> = list(&tree[0]["children"])
+        .map(|child| child["name"].as_str().unwrap())
+        .collect();
+    assert_eq!(children, ["!ball", "!plate"]);
+    let mut plain = Scene::new(json!({}));
+    let flat = plain.whole("documentSymbol", json!({}));
+    let ball = list(&flat).find(|symbol| symbol["name"] == "!ball").unwrap();
+    assert_eq!(
+        (&ball["containerName"], &ball["location"]["uri"]),
+        (&json!("!all"), &json!(URI))
+    );
+    let found = scene
+        .client
+        .request("workspace/symbol", json!({"query": "BAL"}))
+        .unwrap();
+    assert_eq!(found[0]["name"], "!ball");
+    assert_eq!(scene.words(&found[0]["location"]["range"]), "ball");
+}
+
+#[test]
+fn folds_and_selections() {
+    let mut scene = Scene::new(able());
+    let found = scene.whole("foldingRange", json!({}));
+    assert_eq!(found[0], json!({"startLine": 0, "endLine": 1, "kind": "comment"}));
+    let places = json!({"positions": [scene.place("0.7 0.2"), scene.place("width")]});
+    let found = scene.whole("selectionRange", places);
+    assert_eq!(list(&found).count(), 2);
+    let mut range = &found[0];
+    let mut before = 0;
+    while range.is_object() {
+        assert!(scene.words(&range["range"]).len() >= before);
+        before = scene.words(&range["range"]).len();
+        range = &range["parent"];
+    }
+    assert_eq!(before, scene.text.len());
+}
+
+#[test]
+fn code_actions() {
+    let mut scene = Scene::new(able());
+    let place = scene.place("!ball += 1");
+    let range = json!({"start": place, "end": place});
+    let ask =
+        |scene: &mut Scene, context: Value| scene.whole("codeAction", json!({"range": range, "context": context}));
+    let found = ask(&mut scene, json!({"diagnostics": []}));
+    let removal = &found[0];
+    assert_eq!(
+        (&removal["kind"], &removal["isPreferred"]),
+        (&json!("quickfix"), &json!(true))
+    );
+    assert_eq!(removal["diagnostics"][0]["code"], "W005");
+    let edited = scene.edited(&removal["edit"]["documentChanges"][0]["edits"]);
+    assert!(!edited.contains("!ball += 1"), "{edited}");
+    let found = ask(&mut scene, json!({"diagnostics": [], "only": ["source.fixAll"]}));
+    assert_eq!(found[0]["kind"], "source.fixAll.scenec");
+    let edited = scene.edited(&found[0]["edit"]["documentChanges"][0]["edits"]);
+    assert!(!edited.contains("!ball += 1"), "{edited}");
+    let found = ask(&mut scene, json!({"diagnostics": [], "only": ["refactor.extract"]}));
+    assert_eq!(found, json!([]));
+    let range = range.clone();
+    let found = Scene::new(json!({})).whole("codeAction", json!({"range": range, "context": {"diagnostics": []}}));
+    assert_eq!(found, json!([]));
+}
+
+#[test]
+fn lenses() {
+    let mut scene = Scene::new(able());
+    let found = scene.whole("codeLens", json!({}));
+    let titles = |found: &Value| {
+        list(found)
+            .map(|lens| lens["command"]["title"].clone())
+            .collect::<Vec<_>>()
+    };
+    let preview = list(&found).find(|lens| lens["command"]["title"] == "preview").unwrap();
+    assert_eq!(
+        preview["command"],
+        json!({"title": "preview", "command": "scenec.preview", "arguments": [URI]})
+    );
+    let uses = list(&found)
+        .find(|lens| lens["command"]["title"] == "1 use")
+        .expect("the use of a material");
+    assert_eq!(uses["command"]["arguments"][2][0]["uri"], URI);
+    let plain = Scene::new(json!({})).whole("codeLens", json!({}));
+    assert!(!titles(&plain).contains(&json!("preview")) && titles(&plain).contains(&json!("1 use")));
+    scene.client.notify(
+        "workspace/didChangeConfiguration",
+        json!({"settings": {"scenec": {"lens": false}}}),
+    );
+    assert_eq!(scene.whole("codeLens", json!({})), json!([]));
+}
+
+#[test]
+fn formatting() {
+    let options = json!({"options": {"tabSize": 4, "insertSpaces": true}});
+    let mut scene = Scene::new(able());
+    let found = scene.whole("formatting", options.clone());
+    let edited = scene.edited(&found);
+    assert!(edited.contains("!ball += 0 1 0\n"), "{edited}");
+    let line = scene.place("!ball += 0")["line"].as_u64().unwrap();
+    let range =
+        |from: u64, to: u64| json!({"start": {"line": from, "character": 0}, "end": {"line": to, "character": 0}});
+    let mut some = options.clone();
+    some["range"] = range(line, line + 1);
+    let found = scene.whole("rangeFormatting", some.clone());
+    assert!(scene.edited(&found).contains("!ball += 0 1 0\n"));
+    some["range"] = range(0, 2);
+    assert_eq!(scene.whole("rangeFormatting", some), json!([]));
+    let mut typed = options.clone();
+    typed["ch"] = json!("\n");
+    typed["position"] = json!({"line": line + 1, "character": 0});
+    let found = scene.whole("onTypeFormatting", typed.clone());
+    assert!(scene.edited(&found).contains("!ball += 0 1 0\n"));
+    typed["position"] = json!({"line": 0, "character": 0});
+    assert_eq!(scene.whole("onTypeFormatting", typed), json!(null));
+    scene.client.change(URI, 2, json!([{"text": "width := 5\n6\n"}]));
+    let mut params = options;
+    params["textDocument"] = json!({"uri": URI});
+    let refused = scene.client.request("textDocument/formatting", params).unwrap_err();
+    assert_eq!(refused["message"], "line 2 fits no statement, so nothing is formatted");
+}
+
+#[test]
+fn documents_that_are_not_open_have_nothing() {
+    let mut client = Client::greeted(able());
+    let document = json!({"uri": "file:///none.scene"});
+    let place = json!({"line": 3, "character": 4_294_967_295_u32});
+    for method in [
+        "hover",
+        "completion",
+        "signatureHelp",
+        "documentHighlight",
+        "definition",
+        "prepareRename",
+    ] {
+        let params = json!({"textDocument": document, "position": place});
+        assert_eq!(
+            client.request(&format!("textDocument/{method}"), params),
+            Ok(json!(null)),
+            "{method}"
+        );
+    }
+    for method in ["documentSymbol", "foldingRange", "codeLens", "semanticTokens/full"] {
+        let params = json!({"textDocument": document});
+        assert_eq!(
+            client.request(&format!("textDocument/{method}"), params),
+            Ok(json!(null)),
+            "{method}"
+        );
+    }
+    client.farewell();
+}
+
+#[test]
+fn places_outside_a_document_are_survived() {
+    let mut scene = Scene::new(able());
+    for place in [
+        json!({"line": 4_000_000, "character": 0}),
+        json!({"line": 0, "character": 4_294_967_295_u32}),
+    ] {
+        for method in [
+            "hover",
+            "completion",
+            "signatureHelp",
+            "documentHighlight",
+            "definition",
+        ] {
+            scene.whole(method, json!({"position": place}));
+        }
+        let range = json!({"range": {"start": place, "end": {"line": 0, "character": 0}}});
+        scene.whole("inlayHint", range.clone());
+        scene.whole("semanticTokens/range", range);
+    }
+    scene.client.farewell();
 }

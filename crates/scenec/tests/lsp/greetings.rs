@@ -55,6 +55,7 @@ fn replay(recorded: &str) -> Value {
 fn neovim_is_sent_findings() {
     let offered = replay(include_str!("recorded/neovim.json"));
     assert_eq!(offered["positionEncoding"], "utf-16");
+    assert_eq!(offered["renameProvider"], json!({"prepareProvider": true}));
 }
 
 #[test]
