@@ -89,7 +89,8 @@ fn operands(text: &str, offset: u32) -> [&str; 2] {
 fn holds(scene: &Scene, id: SolidId, point: DVec3) -> bool {
     match &scene.solid(id).kind {
         SolidKind::Leaf(leaf) => {
-            let local = leaf.transform.inverse * (point - leaf.transform.centre);
+            let transform = scene.transform(leaf);
+            let local = transform.inverse * (point - transform.centre);
             match leaf.base {
                 Base::Sphere => local.length() <= 1.0,
                 Base::HalfSpace => local.y <= 0.0,

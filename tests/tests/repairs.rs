@@ -119,7 +119,7 @@ fn a_safe_repair_leaves_what_is_rendered() {
                 SolidKind::Leaf(leaf) => {
                     let mut material = *scene.material(leaf.material);
                     material.span = None;
-                    format!("{:?} {:?} {material:?}", leaf.base, leaf.transform)
+                    format!("{:?} {:?} {material:?}", leaf.base, scene.transform(leaf))
                 }
                 SolidKind::Combine { op, left, right } => {
                     open.extend([*right, *left]);

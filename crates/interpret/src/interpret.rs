@@ -1,6 +1,6 @@
 //! One pass over the lines, then the end of the file.
 
-use scenec_scene::{Light, Material, Scene, Settings, Step};
+use scenec_scene::{Light, Material, Scene, Settings, Steps};
 use scenec_syntax::{Content, Line, parse};
 use scenec_text::{Diagnostic, SourceFile};
 
@@ -28,7 +28,7 @@ pub struct Fragments {
     /// The lights as they stand at the end of the file.
     pub lights: Vec<Light>,
     /// The transforms as they were written.
-    pub steps: Vec<Step>,
+    pub steps: Steps,
 }
 
 /// Interprets the lines that [`parse`] made of `source`. The findings are ordered by place; what a broken line or a bad

@@ -1,6 +1,6 @@
 //! What is known at the current line: the four name spaces and the scene so far.
 
-use scenec_scene::{DEFAULT_MATERIAL, Light, Material, Solid, SolidId, SolidKind, Step, StepId};
+use scenec_scene::{DEFAULT_MATERIAL, Light, Material, Solid, SolidId, SolidKind, Steps};
 use scenec_syntax::{Space, Value, ValueKind};
 use scenec_text::{Code, Diagnostic, Severity, Span};
 
@@ -29,7 +29,7 @@ pub(crate) struct State<'a> {
     pub(crate) materials: Vec<Material>,
     pub(crate) lights: Vec<Light>,
     pub(crate) solids: Vec<Solid>,
-    pub(crate) steps: Vec<Step>,
+    pub(crate) steps: Steps,
     pub(crate) submission: Submission,
     pub(crate) unknown: Vec<Unknown>,
     pub(crate) symbols: SymbolTable,
@@ -49,7 +49,7 @@ impl<'a> State<'a> {
             materials: vec![DEFAULT_MATERIAL],
             lights: Vec::new(),
             solids: Vec::new(),
-            steps: Vec::new(),
+            steps: Steps::default(),
             submission: Submission::default(),
             unknown: Vec::new(),
             symbols: SymbolTable::default(),
@@ -119,13 +119,6 @@ impl<'a> State<'a> {
     pub(crate) fn push_solid(&mut self, kind: SolidKind, span: Span) -> SolidId {
         let id = SolidId(u32::try_from(self.solids.len()).unwrap_or(u32::MAX));
         self.solids.push(Solid { kind, span });
-        id
-    }
-
-    /// Adds a written transform.
-    pub(crate) fn push_step(&mut self, step: Step) -> StepId {
-        let id = StepId(u32::try_from(self.steps.len()).unwrap_or(u32::MAX));
-        self.steps.push(step);
         id
     }
 

@@ -37,7 +37,7 @@ fn leaves(scene: &Scene) -> Vec<(DVec3, MaterialId)> {
     let mut open = vec![(scene.root, None)];
     while let Some((id, paint)) = open.pop() {
         match &scene.solid(id).kind {
-            SolidKind::Leaf(leaf) => found.push((leaf.transform.centre, paint.unwrap_or(leaf.material))),
+            SolidKind::Leaf(leaf) => found.push((scene.transform(leaf).centre, paint.unwrap_or(leaf.material))),
             SolidKind::Combine { left, right, .. } => open.extend([(*right, paint), (*left, paint)]),
             SolidKind::Paint { inside, material } => open.push((*inside, paint.or(Some(*material)))),
         }

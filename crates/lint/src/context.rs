@@ -7,7 +7,7 @@ mod uses;
 use std::cell::OnceCell;
 
 use scenec_interpret::{Definition, DefinitionId, Interpretation, Occurrence, Role, SymbolId};
-use scenec_scene::{Base, Light, Material, Scene, SettingInfo, Settings, Step};
+use scenec_scene::{Base, Light, Material, Scene, SettingInfo, Settings, Steps};
 use scenec_syntax::{Content, Line, Space, Statement};
 use scenec_text::{SourceFile, Span};
 
@@ -89,7 +89,7 @@ impl<'a> Context<'a> {
     }
 
     /// The transforms as they were written, those of a file with errors too.
-    pub(crate) fn steps(&self) -> &'a [Step] {
+    pub(crate) fn steps(&self) -> &'a Steps {
         let fragments = &self.interpretation.fragments.steps;
         self.scene().map_or(fragments, |scene| &scene.steps)
     }

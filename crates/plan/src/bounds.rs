@@ -1,6 +1,6 @@
 //! Axis-aligned boxes in f64, possibly unbounded or empty.
 
-use scenec_scene::{Base, DVec3, Leaf};
+use scenec_scene::{Base, DVec3, Transform};
 
 /// The points between two corners, both included; empty where a lower corner lies above its upper one.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -29,9 +29,8 @@ impl Box3 {
     /// own rounding: a row's length takes 3 products, 2 sums and a root (under 2^-50 relative), the sum with the centre
     /// one more. A half-space is bounded only where its plane is exactly square to an axis; the general one is unbounded.
     #[must_use]
-    pub fn of_leaf(leaf: &Leaf) -> Self {
-        let transform = &leaf.transform;
-        match leaf.base {
+    pub fn of_leaf(base: Base, transform: &Transform) -> Self {
+        match base {
             Base::Sphere => {
                 let rows = transform.linear.transpose();
                 let reach = DVec3::new(rows.x_axis.length(), rows.y_axis.length(), rows.z_axis.length());

@@ -106,7 +106,7 @@ impl Work<'_> {
         let SolidKind::Leaf(leaf) = &self.scene.solid(id).kind else {
             return None;
         };
-        let shape = self.shapes.intern(leaf);
+        let shape = self.shapes.intern(leaf.base, &self.scene.transform(leaf));
         let named = paint.unwrap_or(leaf.material);
         let material = *self.interned.materials.entry(named).or_insert_with(|| {
             self.flat.materials.push(named);

@@ -41,16 +41,16 @@ pub(crate) fn gather(scene: &Scene) -> Vec<NodeFacts> {
     let mut facts = vec![UNREACHED; count];
     for (index, solid) in scene.solids.iter().take(count).enumerate() {
         if reached[index] {
-            facts[index] = of(&solid.kind, &facts);
+            facts[index] = of(scene, &solid.kind, &facts);
         }
     }
     facts
 }
 
-fn of(kind: &SolidKind, facts: &[NodeFacts]) -> NodeFacts {
+fn of(scene: &Scene, kind: &SolidKind, facts: &[NodeFacts]) -> NodeFacts {
     match kind {
         SolidKind::Leaf(leaf) => NodeFacts {
-            bounds: Box3::of_leaf(leaf),
+            bounds: Box3::of_leaf(leaf.base, &scene.transform(leaf)),
             leaves: 1,
             height: 1,
         },

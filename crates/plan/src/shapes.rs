@@ -6,7 +6,7 @@
 
 use std::collections::HashMap;
 
-use scenec_scene::{Base, DMat3, DVec3, Leaf};
+use scenec_scene::{Base, DMat3, DVec3, Transform};
 
 /// What a surface is.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -153,9 +153,9 @@ impl Grid {
 }
 
 impl Shapes {
-    /// The number of the leaf's shape.
-    pub(crate) fn intern(&mut self, leaf: &Leaf) -> u32 {
-        let shape = canonical(leaf);
+    /// The number of the shape of a base object that went this way.
+    pub(crate) fn intern(&mut self, base: Base, transform: &Transform) -> u32 {
+        let shape = canonical(base, transform);
         let key = key(&shape, Grid::SAME);
         if let Some(known) = self.by_key.get(&key) {
             return *known;
@@ -184,8 +184,7 @@ impl Shapes {
     }
 }
 
-fn canonical(leaf: &Leaf) -> Shape {
-    let transform = &leaf.transform;
+fn canonical(base: Base, transform: &Transform) -> Shape {
     let shape = Shape {
         kind: ShapeKind::Ellipsoid,
         class: 0,
@@ -193,7 +192,7 @@ fn canonical(leaf: &Leaf) -> Shape {
         inverse: transform.inverse,
         linear: transform.linear,
     };
-    match leaf.base {
+    match base {
         Base::HalfSpace => {
             let normal = unit(transform.inverse.row(1));
             let inverse = DMat3::from_cols(normal, DVec3::ZERO, DVec3::ZERO).transpose();
@@ -333,7 +332,7 @@ fn unit(v: DVec3) -> DVec3 {
 
 #[cfg(test)]
 mod tests {
-    use scenec_scene::{Axis, Base, DVec3, Leaf, MaterialId, Transform};
+    use scenec_scene::{Axis, Base, DVec3, Transform};
 
     use super::{Shape, ShapeKind, Shapes};
 
@@ -341,15 +340,7 @@ mod tests {
         let mut shapes = Shapes::default();
         let numbers: Vec<_> = leaves
             .iter()
-            .map(|(base, transform)| {
-                let (base, transform) = (*base, *transform);
-                shapes.intern(&Leaf {
-                    base,
-                    transform,
-                    steps: None,
-                    material: MaterialId::DEFAULT,
-                })
-            })
+            .map(|(base, transform)| shapes.intern(*base, transform))
             .collect();
         numbers.iter().map(|number| shapes.list[*number as usize]).collect()
     }

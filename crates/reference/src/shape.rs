@@ -1,6 +1,6 @@
 //! Where a line crosses a base object.
 
-use scenec_scene::{Base, DVec3, Leaf, Transform};
+use scenec_scene::{Base, DVec3, Transform};
 
 use crate::list::Spot;
 
@@ -67,14 +67,14 @@ pub(crate) enum Shape {
 type Crossing = (f64, DVec3);
 
 impl Shape {
-    /// The shape of a leaf.
-    pub(crate) fn of(leaf: &Leaf) -> Self {
-        match leaf.base {
-            Base::Sphere => Self::Ball(leaf.transform),
+    /// The shape of a base object that went this way.
+    pub(crate) fn of(base: Base, transform: &Transform) -> Self {
+        match base {
+            Base::Sphere => Self::Ball(*transform),
             Base::HalfSpace => Self::Half {
                 // Normals go by the inverse transpose, of which this is the column of the object's y axis.
-                normal: unit(leaf.transform.inverse.row(1)).unwrap_or(DVec3::Y),
-                centre: leaf.transform.centre,
+                normal: unit(transform.inverse.row(1)).unwrap_or(DVec3::Y),
+                centre: transform.centre,
                 below: true,
             },
         }

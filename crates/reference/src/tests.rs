@@ -8,7 +8,7 @@ mod solids;
 use scenec_picture::NOTHING;
 use scenec_scene::{
     Base, DEFAULT_MATERIAL, DVec3, Leaf, Light, Material, MaterialId, Op, Scene, Settings, Solid, SolidId, SolidKind,
-    Transform,
+    Steps, Transform,
 };
 
 use crate::shade::{Sight, World};
@@ -33,7 +33,7 @@ fn scene() -> Scene {
         materials: vec![DEFAULT_MATERIAL],
         lights: Vec::new(),
         solids: Vec::new(),
-        steps: Vec::new(),
+        steps: Steps::default(),
         root: SolidId(0),
     }
 }
@@ -42,14 +42,7 @@ fn scene() -> Scene {
 trait Build {
     fn add(&mut self, kind: SolidKind) -> SolidId;
 
-    fn leaf(&mut self, base: Base, transform: Transform, material: MaterialId) -> SolidId {
-        self.add(SolidKind::Leaf(Leaf {
-            base,
-            transform,
-            steps: None,
-            material,
-        }))
-    }
+    fn leaf(&mut self, base: Base, transform: Transform, material: MaterialId) -> SolidId;
 
     fn ball(&mut self, centre: [f64; 3], radius: f64) -> SolidId {
         self.leaf(Base::Sphere, at(centre, radius), MaterialId::DEFAULT)
@@ -76,6 +69,11 @@ impl Build for Scene {
             span: Default::default(),
         });
         self.root
+    }
+
+    fn leaf(&mut self, base: Base, transform: Transform, material: MaterialId) -> SolidId {
+        let steps = Some(self.steps.place(transform));
+        self.add(SolidKind::Leaf(Leaf { base, steps, material }))
     }
 
     fn define(&mut self, material: Material) -> MaterialId {

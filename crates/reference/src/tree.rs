@@ -58,7 +58,7 @@ impl Tree {
             };
             nodes.push(match &solid.kind {
                 SolidKind::Leaf(leaf) => {
-                    let (family, shape) = families.place(leaf);
+                    let (family, shape) = families.place(leaf.base, &scene.transform(leaf));
                     Node::Leaf {
                         leaf: SolidId(number as u32),
                         family,

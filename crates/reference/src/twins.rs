@@ -6,7 +6,7 @@
 
 use std::collections::HashMap;
 
-use scenec_scene::{DVec3, Leaf, Transform};
+use scenec_scene::{Base, DVec3, Transform};
 
 use crate::shape::Shape;
 
@@ -20,10 +20,10 @@ pub(crate) struct Families {
 }
 
 impl Families {
-    /// The number of a leaf's family, and its shape by the numbers of that family.
-    pub(crate) fn place(&mut self, leaf: &Leaf) -> (u32, Shape) {
+    /// The number of a placed base object's family, and its shape by the numbers of that family.
+    pub(crate) fn place(&mut self, base: Base, transform: &Transform) -> (u32, Shape) {
         let next = self.known.len() as u32;
-        match Shape::of(leaf) {
+        match Shape::of(base, transform) {
             own @ Shape::Ball(transform) => *self.known.entry(ball(&transform)).or_insert((next, own)),
             Shape::Half { normal, centre, .. } => {
                 let (normal, turned) = oriented(normal);
@@ -87,19 +87,13 @@ fn rounded(value: f64, step: f64) -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use scenec_scene::{Axis, Base, DVec3, Leaf, MaterialId, Transform};
+    use scenec_scene::{Axis, Base, DVec3, Transform};
 
     use super::Families;
 
     fn check(base: Base, first: Transform, second: Transform, expect: bool) {
-        let leaf = |transform| Leaf {
-            base,
-            transform,
-            steps: None,
-            material: MaterialId::DEFAULT,
-        };
         let mut families = Families::default();
-        let (a, b) = (families.place(&leaf(first)), families.place(&leaf(second)));
+        let (a, b) = (families.place(base, &first), families.place(base, &second));
         assert_eq!(a.0 == b.0, expect, "{base:?} {first:?} {second:?}");
     }
 

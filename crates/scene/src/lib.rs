@@ -8,13 +8,15 @@ mod combine;
 mod material;
 mod settings;
 mod solid;
+mod steps;
 mod transform;
 
 pub use camera::{Camera, View, view};
 pub use glam::{DMat3, DVec3};
 pub use material::{DEFAULT_MATERIAL, Light, MATERIAL_FIELDS, Material, MaterialField};
 pub use settings::{SETTINGS, SettingInfo, SettingRange, Settings, setting};
-pub use solid::{Base, Leaf, MaterialId, Op, Solid, SolidId, SolidKind, Step, StepId, StepKind};
+pub use solid::{Base, Leaf, MaterialId, Op, Solid, SolidId, SolidKind};
+pub use steps::{Step, StepId, StepKind, Steps};
 pub use transform::{Axis, Transform};
 
 /// A whole, valid scene.
@@ -30,7 +32,7 @@ pub struct Scene {
     /// Nodes that `root` does not reach may be present.
     pub solids: Vec<Solid>,
     /// The transforms of the leaves as they were written; each names the one before it.
-    pub steps: Vec<Step>,
+    pub steps: Steps,
     /// The submitted solid.
     pub root: SolidId,
 }
@@ -43,6 +45,12 @@ impl Scene {
     #[must_use]
     pub fn solid(&self, id: SolidId) -> &Solid {
         &self.solids[id.index()]
+    }
+
+    /// Where a leaf of this scene went.
+    #[must_use]
+    pub fn transform(&self, leaf: &Leaf) -> Transform {
+        self.steps.transform(leaf.steps)
     }
 
     /// The material with this number.

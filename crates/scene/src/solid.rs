@@ -2,7 +2,7 @@
 
 use scenec_text::Span;
 
-use crate::{Axis, DVec3, Transform};
+use crate::StepId;
 
 macro_rules! id {
     ($(#[$doc:meta])+ $name:ident) => {
@@ -28,10 +28,6 @@ id! {
     /// Number of a material in its scene.
     MaterialId
 }
-id! {
-    /// Number of a written transform in its scene.
-    StepId
-}
 
 impl MaterialId {
     /// The default material.
@@ -39,7 +35,7 @@ impl MaterialId {
 }
 
 /// A node: what it is and the statement that made it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Solid {
     /// What it is.
     pub kind: SolidKind,
@@ -48,7 +44,7 @@ pub struct Solid {
 }
 
 /// What a node of the tree is. Operands may be shared: binding is by value, and a value never changes.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub enum SolidKind {
     /// A transformed base object.
     Leaf(Leaf),
@@ -71,13 +67,11 @@ pub enum SolidKind {
 }
 
 /// A base object, transformed.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Leaf {
     /// The base object.
     pub base: Base,
-    /// Where it went.
-    pub transform: Transform,
-    /// The last of the transforms as they were written.
+    /// The last of its transforms, which tells what all of them come to; none where it stands as it was made.
     pub steps: Option<StepId>,
     /// What it is made of.
     pub material: MaterialId,
@@ -108,36 +102,12 @@ pub enum Op {
     Subtraction,
 }
 
-/// A transform as it was written.
-#[derive(Clone, Debug)]
-pub struct Step {
-    /// The one before it, on the same object.
-    pub previous: Option<StepId>,
-    /// What it does.
-    pub kind: StepKind,
-    /// The statement.
-    pub span: Span,
-}
+#[cfg(test)]
+mod tests {
+    use super::Solid;
 
-/// What a written transform does.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub enum StepKind {
-    /// Scale along the world's axes.
-    Scale(DVec3),
-    /// Rotate about a world axis, radians, right-handed.
-    Rotate(Axis, f64),
-    /// Translate, world units.
-    Translate(DVec3),
-}
-
-impl StepKind {
-    /// `transform` followed by this.
-    #[must_use]
-    pub fn after(self, transform: Transform) -> Transform {
-        match self {
-            Self::Scale(by) => transform.scaled(by),
-            Self::Rotate(axis, angle) => transform.rotated(axis, angle),
-            Self::Translate(by) => transform.translated(by),
-        }
+    #[test]
+    fn a_solid_is_small() {
+        assert!(size_of::<Solid>() <= 24);
     }
 }

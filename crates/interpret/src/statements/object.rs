@@ -1,6 +1,6 @@
 //! `!x := sphere`
 
-use scenec_scene::{Base, Leaf, MaterialId, SolidKind, Transform};
+use scenec_scene::{Base, Leaf, MaterialId, SolidKind};
 use scenec_syntax::{Statement, quote};
 use scenec_text::{Code, Diagnostic, Span, closest};
 
@@ -20,7 +20,6 @@ pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, base: Span) {
     };
     let leaf = Leaf {
         base: known,
-        transform: Transform::IDENTITY,
         steps: None,
         material: MaterialId::DEFAULT,
     };

@@ -1,6 +1,6 @@
 //! What scale, rotation and translation share: the object must be a base object, and what comes out must be finite.
 
-use scenec_scene::{DVec3, Leaf, SolidKind, Step, StepKind};
+use scenec_scene::{DVec3, Leaf, SolidKind, Step, StepKind, Transform};
 use scenec_syntax::quote;
 use scenec_text::{Code, Diagnostic, Span};
 
@@ -21,28 +21,25 @@ pub(super) fn apply(state: &mut State<'_>, line: Span, object: Result<NameId, Ga
     let Ok(kind) = kind else {
         return;
     };
-    let Some(leaf) = own_leaf(state, id) else {
+    let Some(leaf) = own_leaf(state, id).copied() else {
         return;
     };
-    let transform = kind.after(leaf.transform);
-    if !transform.is_finite() {
-        let vanished = transform.linear.is_finite() && {
-            let rows = transform.linear.transpose();
-            [rows.x_axis, rows.y_axis, rows.z_axis].contains(&DVec3::ZERO)
-        };
-        let finding = out_of_range(state.objects.entries[id].name, line, vanished);
-        state.report(finding);
-        return;
-    }
-    let previous = leaf.steps;
-    leaf.transform = transform;
-    let step = state.push_step(Step {
-        previous,
+    let step = Step {
+        previous: leaf.steps,
         kind,
         span: line,
-    });
-    if let Some(leaf) = own_leaf(state, id) {
-        leaf.steps = Some(step);
+    };
+    match state.steps.push(step) {
+        Ok(step) => {
+            if let Some(leaf) = own_leaf(state, id) {
+                leaf.steps = Some(step);
+            }
+        }
+        Err(transform) => {
+            let finding = out_of_range(state.objects.entries[id].name, line, vanishes(&transform));
+            state.report(finding);
+            return;
+        }
     }
     if let Some(object) = state.objects.entries[id].bound_mut() {
         operand::edited(object, line);
@@ -59,7 +56,7 @@ pub(super) fn own_leaf<'s>(state: &'s mut State<'_>, id: NameId) -> Option<&'s m
         return None;
     };
     let own = if frozen {
-        let (copy, span) = (leaf.clone(), present.span);
+        let (copy, span) = (*leaf, present.span);
         let own = state.push_solid(SolidKind::Leaf(copy), span);
         let object = state.objects.entries[id].bound_mut()?;
         (object.solid, object.frozen) = (own, false);
@@ -94,6 +91,12 @@ fn of_a_combination(name: &str, line: Span, combined: Span) -> Diagnostic {
     )
     .label(combined, "it was combined here")
     .help("transform the base objects instead, on lines before this combination")
+}
+
+/// Whether a transform maps everything into a plane, its scales having multiplied to 0.
+fn vanishes(transform: &Transform) -> bool {
+    let rows = transform.linear.transpose();
+    transform.linear.is_finite() && [rows.x_axis, rows.y_axis, rows.z_axis].contains(&DVec3::ZERO)
 }
 
 fn out_of_range(name: &str, line: Span, vanished: bool) -> Diagnostic {

@@ -87,7 +87,7 @@ fn steps(scene: &Scene, solids: &[Reached]) -> Vec<Option<Base>> {
             && let Some(seen) = reached.get_mut(id.index())
             && seen.replace(leaf.base).is_none()
         {
-            next = scene.steps.get(id.index()).and_then(|step| step.previous);
+            next = scene.steps.get(id).and_then(|step| step.previous);
         }
     }
     reached

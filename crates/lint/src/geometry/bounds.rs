@@ -85,13 +85,13 @@ impl Bounds {
 pub(super) fn all(scene: &Scene) -> Vec<Bounds> {
     let mut bounds = Vec::with_capacity(scene.solids.len());
     for solid in &scene.solids {
-        bounds.push(of(solid, &bounds));
+        bounds.push(of(scene, solid, &bounds));
     }
     bounds
 }
 
 /// The box of a solid whose operands have theirs.
-fn of(solid: &Solid, before: &[Bounds]) -> Bounds {
+fn of(scene: &Scene, solid: &Solid, before: &[Bounds]) -> Bounds {
     let at = |id: &SolidId| before.get(id.index()).copied().unwrap_or(Bounds::EVERYWHERE);
     match &solid.kind {
         SolidKind::Paint { inside, .. } => at(inside),
@@ -100,7 +100,7 @@ fn of(solid: &Solid, before: &[Bounds]) -> Bounds {
             Op::Intersection => at(left).common(at(right)),
             Op::Subtraction => at(left),
         },
-        SolidKind::Leaf(_) => Shape::of(solid).map_or(Bounds::EVERYWHERE, |shape| of_shape(&shape)),
+        SolidKind::Leaf(_) => Shape::of(scene, solid).map_or(Bounds::EVERYWHERE, |shape| of_shape(&shape)),
     }
 }
 

@@ -121,21 +121,13 @@ fn balls_apart(a: &Ball, b: &Ball) -> Option<Fact> {
 
 #[cfg(test)]
 mod tests {
-    use scenec_scene::{Axis, Base, DVec3, Leaf, MaterialId, Solid, SolidKind, Transform};
+    use scenec_scene::{Axis, Base, DVec3, Transform};
 
     use super::super::shape::Shape;
     use super::{apart, inside, same};
 
     fn shape(base: Base, transform: Transform) -> Shape {
-        let leaf = Leaf {
-            base,
-            transform,
-            steps: None,
-            material: MaterialId::DEFAULT,
-        };
-        let kind = SolidKind::Leaf(leaf);
-        let span = Default::default();
-        Shape::of(&Solid { kind, span }).unwrap()
+        Shape::placed(base, &transform).unwrap()
     }
 
     fn ball(radius: f64, centre: DVec3) -> Shape {

@@ -29,7 +29,7 @@ fn search(scene: &Scene, id: SolidId, point: DVec3, steps: &mut u32) -> Side {
     *steps = left;
     let solid = scene.solid(bare(scene, id));
     let SolidKind::Combine { op, left, right } = solid.kind else {
-        return Shape::of(solid).map_or(Side::Unknown, |shape| of_shape(&shape, point));
+        return Shape::of(scene, solid).map_or(Side::Unknown, |shape| of_shape(&shape, point));
     };
     let first = search(scene, left, point, steps);
     let decided = match op {

@@ -40,7 +40,8 @@ impl Prover<'_> {
     }
 
     fn leaves(self, a: SolidId, b: SolidId) -> Option<(Shape, Shape)> {
-        Some((Shape::of(self.scene.solid(a))?, Shape::of(self.scene.solid(b))?))
+        let shape = |id| Shape::of(self.scene, self.scene.solid(id));
+        Some((shape(a)?, shape(b)?))
     }
 
     fn parts(self, id: SolidId) -> Option<(Op, SolidId, SolidId)> {

@@ -1,6 +1,6 @@
 //! Leaves as sets of points, each with a bound on what rounding has done to it.
 
-use scenec_scene::{Base, DMat3, DVec3, Leaf, Solid, SolidKind, Transform};
+use scenec_scene::{Base, DMat3, DVec3, Scene, Solid, SolidKind, Transform};
 
 /// What every comparison allows for rounding, relative to the sizes of the terms that were added up: 2^-40.
 ///
@@ -42,17 +42,18 @@ pub(crate) struct Half {
 
 impl Shape {
     /// The shape of a solid that is a leaf of ordinary size; nothing is proved of others.
-    pub(crate) fn of(solid: &Solid) -> Option<Self> {
+    pub(crate) fn of(scene: &Scene, solid: &Solid) -> Option<Self> {
         match &solid.kind {
-            SolidKind::Leaf(leaf) => Self::of_leaf(leaf),
+            SolidKind::Leaf(leaf) => Self::placed(leaf.base, &scene.transform(leaf)),
             SolidKind::Combine { .. } | SolidKind::Paint { .. } => None,
         }
     }
 
-    fn of_leaf(leaf: &Leaf) -> Option<Self> {
-        match leaf.base {
-            Base::Sphere => Ball::of(&leaf.transform).map(Self::Ball),
-            Base::HalfSpace => Half::of(&leaf.transform).map(Self::Half),
+    /// The shape of a base object that went this way.
+    pub(super) fn placed(base: Base, transform: &Transform) -> Option<Self> {
+        match base {
+            Base::Sphere => Ball::of(transform).map(Self::Ball),
+            Base::HalfSpace => Half::of(transform).map(Self::Half),
         }
     }
 }

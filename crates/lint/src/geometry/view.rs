@@ -50,7 +50,7 @@ impl Frustum {
         for solid in scene.solids.iter().take(scene.root.index() + 1) {
             let at = |id: scenec_scene::SolidId| missed.get(id.index()).copied().unwrap_or_default();
             let here = match &solid.kind {
-                SolidKind::Leaf(_) => Shape::of(solid).is_some_and(|shape| self.misses_shape(&shape)),
+                SolidKind::Leaf(_) => Shape::of(scene, solid).is_some_and(|shape| self.misses_shape(&shape)),
                 SolidKind::Paint { inside, .. } => at(*inside),
                 SolidKind::Combine { op, left, right } => match op {
                     Op::Union => at(*left) && at(*right),

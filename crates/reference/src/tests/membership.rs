@@ -57,7 +57,8 @@ fn holds(scene: &Scene, point: DVec3) -> Option<bool> {
     for solid in &scene.solids {
         members.push(match &solid.kind {
             SolidKind::Leaf(leaf) => {
-                let p = leaf.transform.inverse * (point - leaf.transform.centre);
+                let transform = scene.transform(leaf);
+                let p = transform.inverse * (point - transform.centre);
                 let depth = match leaf.base {
                     Base::Sphere => 1.0 - p.length(),
                     Base::HalfSpace => -p.y,

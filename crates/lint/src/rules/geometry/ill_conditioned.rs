@@ -55,7 +55,7 @@ fn check(context: &Context<'_>, findings: &mut Findings) {
             continue;
         }
         let Some(steps) = leaf.steps else { continue };
-        let ratio = Ball::of(&leaf.transform).and_then(|ball| ratio(&ball));
+        let ratio = Ball::of(&scene.transform(leaf)).and_then(|ball| ratio(&ball));
         // Copies of an object have its transforms in common.
         let Some(ratio) = ratio.filter(|_| seen.insert(steps)) else {
             continue;
@@ -87,14 +87,14 @@ fn ratio(ball: &Ball) -> Option<f64> {
 }
 
 /// The scale that differs most from one axis to another, of the last ones.
-fn most_uneven(scene: &Scene, last: StepId) -> Option<&Step> {
-    let step = |id: &StepId| scene.steps.get(id.index());
-    let chain = std::iter::successors(step(&last), |now| now.previous.as_ref().and_then(step));
+fn most_uneven(scene: &Scene, last: StepId) -> Option<Step> {
+    let step = |id: StepId| scene.steps.get(id);
+    let chain = std::iter::successors(step(last), |now| now.previous.and_then(step));
     let uneven = |by: DVec3| by.abs().max_element() / by.abs().min_element();
     let scales = chain.take(MOST_STEPS).filter_map(|step| match step.kind {
         StepKind::Scale(by) => Some((uneven(by), step)),
         StepKind::Rotate(..) | StepKind::Translate(_) => None,
     });
     let most = scales.max_by(|a, b| a.0.total_cmp(&b.0));
-    most.map(|(_, step)| step).or_else(|| step(&last))
+    most.map(|(_, step)| step).or_else(|| step(last))
 }

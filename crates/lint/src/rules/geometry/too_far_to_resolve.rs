@@ -56,7 +56,7 @@ fn check(context: &Context<'_>, findings: &mut Findings) {
         if leaf.base != Base::Sphere || !geometry.reaches(index) {
             continue;
         }
-        let far = Ball::of(&leaf.transform).and_then(|ball| unresolved(&ball, (ball.centre - eye).to_array()));
+        let far = Ball::of(&scene.transform(leaf)).and_then(|ball| unresolved(&ball, (ball.centre - eye).to_array()));
         let Some((axis, distance, step, radius)) = far else {
             continue;
         };

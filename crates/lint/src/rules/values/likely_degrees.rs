@@ -44,7 +44,7 @@ const LARGEST: f64 = TAU * 1.01;
 
 fn check(context: &Context<'_>, findings: &mut Findings) {
     let mut seen: HashSet<Span> = HashSet::new();
-    for step in context.steps() {
+    for step in context.steps().iter() {
         let StepKind::Rotate(_, angle) = step.kind else {
             continue;
         };
