@@ -5,7 +5,7 @@
 
 use proptest::prelude::*;
 use scenec_interpret::analyse;
-use scenec_syntax::{Content, parse};
+use scenec_syntax::{Content, line, parse};
 use scenec_text::{Severity, SourceFile, Span};
 
 /// Words that together reach every statement and most ways to spoil one.
@@ -97,6 +97,8 @@ fn check(bytes: Vec<u8>) {
             }
         }
     }
+    let again = (0..source.line_count()).filter_map(|number| line(&source, number));
+    assert!(again.eq(lines.iter().cloned()), "{lines:?}");
     let broken = lines.iter().any(|line| matches!(line.content, Content::Broken(_)));
     let (interpretation, findings) = analyse(&source);
     let failed = |list: &[scenec_text::Diagnostic]| list.iter().any(|finding| finding.severity() == Severity::Error);
@@ -111,7 +113,7 @@ fn check(bytes: Vec<u8>) {
     }
     assert!(findings.is_sorted_by_key(|finding| finding.span().start));
     let places = interpretation.symbols.occurrences();
-    assert!(places.is_sorted_by_key(|place| place.span.start));
+    assert!(places.clone().is_sorted_by_key(|place| place.span.start));
     for place in places {
         let symbol = interpretation.symbols.symbols()[place.symbol.0 as usize];
         assert_eq!(symbol.name.of(source.text()), place.span.of(source.text()));

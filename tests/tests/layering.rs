@@ -28,7 +28,7 @@ const ROOMS: &[Room] = &[
     room(
         "scenec-interpret",
         &["scenec-text", "scenec-syntax", "scenec-scene"],
-        &[],
+        &["hashbrown"],
     ),
     room(
         "scenec-lint",

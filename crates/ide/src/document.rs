@@ -2,10 +2,10 @@
 
 use std::sync::OnceLock;
 
-use scenec_interpret::Interpretation;
-use scenec_lint::{Checked, check};
+use scenec_interpret::{Interpretation, Occurrence};
+use scenec_lint::{Checked, check_lines};
 use scenec_scene::Scene;
-use scenec_syntax::Line;
+use scenec_syntax::{Line, parse};
 use scenec_text::{Diagnostic, SourceFile};
 
 use crate::facts::Facts;
@@ -14,7 +14,10 @@ use crate::facts::Facts;
 #[derive(Clone, Debug)]
 pub struct Document {
     source: SourceFile,
+    lines: Vec<Line>,
     checked: Checked,
+    /// Those of the symbol table, spread out: features look into the middle of them.
+    occurrences: Vec<Occurrence>,
     facts: OnceLock<Facts>,
 }
 
@@ -22,10 +25,14 @@ impl Document {
     /// Takes a text through all stages.
     #[must_use]
     pub fn new(source: SourceFile) -> Self {
-        let checked = check(&source);
+        let (lines, findings) = parse(&source);
+        let checked = check_lines(&source, &lines, findings);
+        let occurrences = checked.interpretation.symbols.occurrences().collect();
         Self {
             source,
+            lines,
             checked,
+            occurrences,
             facts: OnceLock::new(),
         }
     }
@@ -45,13 +52,19 @@ impl Document {
     /// The lines that are not blank, in order.
     #[must_use]
     pub fn lines(&self) -> &[Line] {
-        &self.checked.lines
+        &self.lines
     }
 
     /// What the lines mean.
     #[must_use]
     pub const fn interpretation(&self) -> &Interpretation {
         &self.checked.interpretation
+    }
+
+    /// Every place where a name stands, in the order of the text.
+    #[must_use]
+    pub fn occurrences(&self) -> &[Occurrence] {
+        &self.occurrences
     }
 
     /// The scene; `None` while the text has an error.

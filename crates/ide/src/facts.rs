@@ -49,7 +49,7 @@ impl Facts {
     pub(crate) fn of(document: &Document) -> Self {
         let symbols = &document.interpretation().symbols;
         let count = symbols.definitions().len();
-        let places = || (0..).zip(symbols.occurrences());
+        let places = || (0..).zip(document.occurrences());
         let with_role = |role: Role| {
             places().filter_map(move |(number, place)| {
                 let id = place.definition.filter(|_| place.role == role)?;
@@ -77,7 +77,7 @@ impl Facts {
 
     /// What the statements say, in the order of the file.
     fn read(&mut self, document: &Document) {
-        let mut rest = document.interpretation().symbols.occurrences();
+        let mut rest = document.occurrences();
         for line in document.lines() {
             let on_line = rest.iter().take_while(|place| place.span.start < line.span.end).count();
             let (places, after) = rest.split_at(on_line);
@@ -211,7 +211,7 @@ fn set<T>(list: &mut [T], id: DefinitionId, value: T) {
 }
 
 fn occurrences<'d>(document: &'d Document, numbers: &'d [u32]) -> impl DoubleEndedIterator<Item = &'d Occurrence> {
-    let all = document.interpretation().symbols.occurrences();
+    let all = document.occurrences();
     numbers.iter().filter_map(move |number| all.get(*number as usize))
 }
 

@@ -43,7 +43,7 @@ impl Document {
 
     /// The names on the statement at a span, in the order of the line.
     pub(crate) fn places_on(&self, statement: Span) -> &[Occurrence] {
-        let places = self.interpretation().symbols.occurrences();
+        let places = self.occurrences();
         let start = places.partition_point(|place| place.span.start < statement.start);
         let end = places.partition_point(|place| place.span.start < statement.end);
         places.get(start..end).unwrap_or_default()
@@ -51,7 +51,7 @@ impl Document {
 
     /// The name at a span, if it stands on a line that fits a statement.
     pub(crate) fn occurrence(&self, name: Span) -> Option<&Occurrence> {
-        let places = self.interpretation().symbols.occurrences();
+        let places = self.occurrences();
         let at = places
             .binary_search_by_key(&name.start, |place| place.span.start)
             .ok()?;

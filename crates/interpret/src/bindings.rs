@@ -26,8 +26,6 @@ pub(crate) struct Object {
     pub(crate) used: bool,
     /// The last combination that took it.
     pub(crate) taken: Option<Span>,
-    /// The edits since then.
-    pub(crate) stale: Vec<Span>,
 }
 
 impl Object {
@@ -38,7 +36,6 @@ impl Object {
             line,
             used: false,
             taken: None,
-            stale: Vec::new(),
         }
     }
 }

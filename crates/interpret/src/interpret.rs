@@ -1,7 +1,9 @@
 //! One pass over the lines, then the end of the file.
 
+use std::borrow::Borrow;
+
 use scenec_scene::{Light, Material, Scene, Settings, Steps};
-use scenec_syntax::{Content, Line, parse};
+use scenec_syntax::{Content, Line, Lines};
 use scenec_text::{Diagnostic, SourceFile};
 
 use crate::state::State;
@@ -31,12 +33,18 @@ pub struct Fragments {
     pub steps: Steps,
 }
 
-/// Interprets the lines that [`parse`] made of `source`. The findings are ordered by place; what a broken line or a bad
+/// Interprets the lines of `source`, as [`Lines`] reads them one after the other or a list holds them. The findings are ordered by place; what a broken line or a bad
 /// byte caused has been reported and is passed over.
 #[must_use]
-pub fn interpret(source: &SourceFile, lines: &[Line]) -> (Interpretation, Vec<Diagnostic>) {
+pub fn interpret<L: Borrow<Line>>(
+    source: &SourceFile,
+    lines: impl IntoIterator<Item = L>,
+) -> (Interpretation, Vec<Diagnostic>) {
     let mut state = State::new(source.text());
+    let mut end = None;
     for line in lines {
+        let line = line.borrow();
+        end = Some(line.comment.map_or(line.span, |comment| line.span.to(comment)));
         match &line.content {
             Content::Comment => {}
             Content::Statement(statement) => statements::run(&mut state, line.span, statement),
@@ -44,19 +52,15 @@ pub fn interpret(source: &SourceFile, lines: &[Line]) -> (Interpretation, Vec<Di
         }
     }
     state.failed |= !source.holes().is_empty();
-    let end = lines
-        .iter()
-        .rev()
-        .map(|line| line.comment.map_or(line.span, |comment| line.span.to(comment)))
-        .next();
     finish::finish(state, end)
 }
 
 /// Parses and interprets a file. The findings of both stages come in one list, ordered by place.
 #[must_use]
 pub fn analyse(source: &SourceFile) -> (Interpretation, Vec<Diagnostic>) {
-    let (lines, mut diagnostics) = parse(source);
-    let (interpretation, more) = interpret(source, &lines);
+    let mut lines = Lines::new(source);
+    let (interpretation, more) = interpret(source, &mut lines);
+    let mut diagnostics = lines.findings();
     diagnostics.extend(more);
     diagnostics.sort_by_key(|finding| finding.span().start);
     (interpretation, diagnostics)

@@ -1,11 +1,12 @@
 //! A name space: what each of its names is bound to at the current line.
 
-use std::collections::HashMap;
+use std::hash::BuildHasher;
 
+use hashbrown::{DefaultHashBuilder, HashMap, HashTable};
 use scenec_syntax::Space;
 use scenec_text::Span;
 
-use crate::{DefinitionId, Role, SymbolTable};
+use crate::{DefinitionId, Role, SymbolId, SymbolTable};
 
 /// Number of a name in its name space.
 pub(crate) type NameId = usize;
@@ -41,17 +42,21 @@ pub(crate) struct Unknown {
 /// A name and what became of it.
 pub(crate) struct Entry<'a, T> {
     pub(crate) name: &'a str,
-    pub(crate) symbol: crate::SymbolId,
+    pub(crate) symbol: SymbolId,
     pub(crate) binding: Binding<T>,
     /// The statement that made the binding.
     definition: Option<DefinitionId>,
     /// The first statement that bound it.
-    pub(crate) first_bound: Option<Span>,
-    /// The last statement that would have bound it, but was ignored.
-    pub(crate) ignored: Option<Span>,
+    first: Option<DefinitionId>,
 }
 
 impl<T> Entry<'_, T> {
+    /// The first statement that bound it.
+    pub(crate) fn first_bound(&self, symbols: &SymbolTable) -> Option<Span> {
+        let made = symbols.definitions().get(self.first?.index());
+        made.map(|definition| definition.line)
+    }
+
     pub(crate) const fn bound(&self) -> Option<&T> {
         match &self.binding {
             Binding::Bound(value) => Some(value),
@@ -68,8 +73,8 @@ impl<T> Entry<'_, T> {
 
     /// Binds the name by the statement at `line`; gives what it was bound to before.
     pub(crate) fn bind(&mut self, line: Span, value: T, symbols: &mut SymbolTable) -> Option<T> {
-        self.first_bound.get_or_insert(line);
         self.definition = symbols.define(self.symbol, line);
+        self.first = self.first.or(self.definition);
         self.replace(Binding::Bound(value))
     }
 
@@ -84,32 +89,40 @@ impl<T> Entry<'_, T> {
 /// The names of one space, in the order in which they first stand in the file.
 pub(crate) struct Names<'a, T> {
     space: Space,
-    ids: HashMap<&'a str, NameId>,
+    /// The entries by what their names hash to. A seed of its own for every run keeps a file from being made so that its
+    /// names meet in one place.
+    ids: HashTable<Slot>,
+    hashing: DefaultHashBuilder,
     pub(crate) entries: Vec<Entry<'a, T>>,
+    /// The last statements that would have bound a name, but were ignored.
+    ignored: HashMap<NameId, Span>,
+}
+
+/// A name among the hashed ones: eight bytes, and mostly no look at the text is needed to tell it from another.
+struct Slot {
+    hash: u32,
+    /// Fits: a name is at least a byte of a text whose bytes do.
+    id: u32,
 }
 
 impl<'a, T> Names<'a, T> {
     pub(crate) fn new(space: Space) -> Self {
         Self {
             space,
-            ids: HashMap::new(),
+            ids: HashTable::new(),
+            hashing: DefaultHashBuilder::default(),
             entries: Vec::new(),
+            ignored: HashMap::new(),
         }
     }
 
     /// The number of the name at `span`, which is new if it never stood before; notes the place.
     pub(crate) fn mention(&mut self, text: &'a str, span: Span, role: Role, symbols: &mut SymbolTable) -> NameId {
         let name = span.of(text);
-        let id = *self.ids.entry(name).or_insert_with(|| {
-            self.entries.push(Entry {
-                name,
-                symbol: symbols.add(self.space, span),
-                binding: Binding::Absent,
-                definition: None,
-                first_bound: None,
-                ignored: None,
-            });
-            self.entries.len() - 1
+        let hash = self.hash(name);
+        let id = self.id(name, hash).unwrap_or_else(|| {
+            let symbol = symbols.add(self.space, span);
+            self.add(name, hash, symbol)
         });
         let entry = &self.entries[id];
         let known = matches!(entry.binding, Binding::Bound(_)) && role != Role::Define;
@@ -136,19 +149,66 @@ impl<'a, T> Names<'a, T> {
                     space: self.space,
                     id,
                     span,
-                    ignored: entry.ignored,
+                    ignored: self.ignored.get(&id).copied(),
                 });
                 Err(Gap::Unknown)
             }
         }
     }
 
+    /// The number of a name, if it stood anywhere before.
+    pub(crate) fn number(&self, name: &str) -> Option<NameId> {
+        self.id(name, self.hash(name))
+    }
+
     /// The entry of a name, if it stood anywhere before.
     pub(crate) fn find(&self, name: &str) -> Option<&Entry<'a, T>> {
-        self.ids.get(name).and_then(|id| self.entries.get(*id))
+        self.entries.get(self.number(name)?)
     }
 
     pub(crate) fn find_mut(&mut self, name: &str) -> Option<&mut Entry<'a, T>> {
-        self.ids.get(name).and_then(|id| self.entries.get_mut(*id))
+        let id = self.number(name)?;
+        self.entries.get_mut(id)
     }
+
+    /// Notes that the statement at `line` would have bound a name, but is ignored.
+    pub(crate) fn ignore(&mut self, id: NameId, line: Span) {
+        self.ignored.insert(id, line);
+    }
+
+    /// The last statement that would have bound the name, but was ignored.
+    pub(crate) fn ignored(&self, name: &str) -> Option<Span> {
+        self.ignored.get(&self.number(name)?).copied()
+    }
+
+    fn hash(&self, name: &str) -> u32 {
+        (self.hashing.hash_one(name) >> 16) as u32
+    }
+
+    fn id(&self, name: &str, hash: u32) -> Option<NameId> {
+        let same = |slot: &Slot| {
+            let entry = self.entries.get(slot.id as usize);
+            slot.hash == hash && entry.is_some_and(|entry| entry.name == name)
+        };
+        Some(self.ids.find(widened(hash), same)?.id as usize)
+    }
+
+    fn add(&mut self, name: &'a str, hash: u32, symbol: SymbolId) -> NameId {
+        let id = self.entries.len();
+        let slot = Slot { hash, id: id as u32 };
+        self.ids.insert_unique(widened(hash), slot, |slot| widened(slot.hash));
+        self.entries.push(Entry {
+            name,
+            symbol,
+            binding: Binding::Absent,
+            definition: None,
+            first: None,
+        });
+        id
+    }
+}
+
+/// The table reads the lowest bits of a hash and the highest.
+fn widened(hash: u32) -> u64 {
+    u64::from(hash) << 32 | u64::from(hash)
 }

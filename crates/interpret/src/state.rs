@@ -1,5 +1,6 @@
 //! What is known at the current line: the four name spaces and the scene so far.
 
+use hashbrown::HashMap;
 use scenec_scene::{DEFAULT_MATERIAL, Light, Material, Solid, SolidId, SolidKind, Steps};
 use scenec_syntax::{Space, Value, ValueKind};
 use scenec_text::{Code, Diagnostic, Severity, Span};
@@ -26,6 +27,8 @@ pub(crate) struct State<'a> {
     pub(crate) objects: Names<'a, Object>,
     pub(crate) paints: Names<'a, Paint>,
     pub(crate) lamps: Names<'a, Lamp>,
+    /// The edits of objects since a combination took them.
+    pub(crate) stale: HashMap<NameId, Vec<Span>>,
     pub(crate) materials: Vec<Material>,
     pub(crate) lights: Vec<Light>,
     pub(crate) solids: Vec<Solid>,
@@ -46,6 +49,7 @@ impl<'a> State<'a> {
             objects: Names::new(Space::Object),
             paints: Names::new(Space::Material),
             lamps: Names::new(Space::Light),
+            stale: HashMap::new(),
             materials: vec![DEFAULT_MATERIAL],
             lights: Vec::new(),
             solids: Vec::new(),

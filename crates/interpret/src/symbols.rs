@@ -67,8 +67,41 @@ pub struct Occurrence {
 #[derive(Clone, Debug, Default)]
 pub struct SymbolTable {
     symbols: Vec<Symbol>,
-    occurrences: Vec<Occurrence>,
+    places: Vec<Place>,
     definitions: Vec<Definition>,
+}
+
+/// An occurrence in twelve bytes, since a file has more of them than of anything else: it is as long as its symbol.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    start: u32,
+    symbol: SymbolId,
+    /// The role in the lowest two bits, above them the number of the definition, or 0. A file of 2^32 bytes has fewer than
+    /// 2^30 definitions: none is shorter than `a:=1` and a line feed.
+    link: u32,
+}
+
+impl Place {
+    const fn new(start: u32, symbol: SymbolId, role: Role, definition: Option<DefinitionId>) -> Self {
+        let number = match definition {
+            Some(DefinitionId(number)) => number.get(),
+            None => 0,
+        };
+        let link = number << 2 | role as u32;
+        Self { start, symbol, link }
+    }
+
+    const fn role(self) -> Role {
+        match self.link & 3 {
+            0 => Role::Define,
+            1 => Role::Edit,
+            _ => Role::Use,
+        }
+    }
+
+    fn definition(self) -> Option<DefinitionId> {
+        NonZeroU32::new(self.link >> 2).map(DefinitionId)
+    }
 }
 
 impl SymbolTable {
@@ -78,10 +111,33 @@ impl SymbolTable {
         &self.symbols
     }
 
-    /// Every occurrence of every symbol, in the order of the file.
+    /// The symbol with this number.
     #[must_use]
-    pub fn occurrences(&self) -> &[Occurrence] {
-        &self.occurrences
+    pub fn symbol(&self, id: SymbolId) -> Option<Symbol> {
+        self.symbols.get(id.0 as usize).copied()
+    }
+
+    /// Every occurrence of every symbol, in the order of the file.
+    pub fn occurrences(&self) -> impl ExactSizeIterator<Item = Occurrence> + DoubleEndedIterator + Clone + '_ {
+        self.places.iter().map(|place| self.occurrence_of(*place))
+    }
+
+    /// The occurrence with this number, counted from 0 in the order of the file.
+    #[must_use]
+    pub fn occurrence(&self, number: usize) -> Option<Occurrence> {
+        self.places.get(number).map(|place| self.occurrence_of(*place))
+    }
+
+    /// The occurrences that begin in a span, in the order of the file.
+    pub fn occurrences_in(
+        &self,
+        span: Span,
+    ) -> impl ExactSizeIterator<Item = Occurrence> + DoubleEndedIterator + Clone + '_ {
+        let start = self.places.partition_point(|place| place.start < span.start);
+        let after = self.places.get(start..).unwrap_or_default();
+        let count = after.partition_point(|place| place.start < span.end);
+        let inside = after.get(..count).unwrap_or_default();
+        inside.iter().map(|place| self.occurrence_of(*place))
     }
 
     /// Every definition, in the order of the file; a [`DefinitionId`] is an index into them.
@@ -99,17 +155,26 @@ impl SymbolTable {
     /// The name at an offset; one just behind a name counts, as a text cursor there does.
     #[must_use]
     pub fn at(&self, offset: u32) -> Option<Occurrence> {
-        let after = self.occurrences.partition_point(|place| place.span.start <= offset);
-        let place = *self.occurrences.get(after.checked_sub(1)?)?;
+        let after = self.places.partition_point(|place| place.start <= offset);
+        let place = self.occurrence(after.checked_sub(1)?)?;
         (offset <= place.span.end).then_some(place)
     }
 
     /// Every place where a symbol stands, in the order of the file.
     pub fn places(&self, symbol: SymbolId) -> impl Iterator<Item = Occurrence> + '_ {
-        self.occurrences
-            .iter()
-            .copied()
-            .filter(move |place| place.symbol == symbol)
+        let here = move |place: &&Place| place.symbol == symbol;
+        self.places.iter().filter(here).map(|place| self.occurrence_of(*place))
+    }
+
+    fn occurrence_of(&self, place: Place) -> Occurrence {
+        let symbol = self.symbol(place.symbol);
+        let length = symbol.map_or(0, |symbol| symbol.name.len());
+        Occurrence {
+            span: Span::new(place.start, place.start.saturating_add(length)),
+            symbol: place.symbol,
+            role: place.role(),
+            definition: place.definition(),
+        }
     }
 
     pub(crate) fn add(&mut self, space: Space, name: Span) -> SymbolId {
@@ -119,12 +184,7 @@ impl SymbolTable {
     }
 
     pub(crate) fn record(&mut self, symbol: SymbolId, span: Span, role: Role, definition: Option<DefinitionId>) {
-        self.occurrences.push(Occurrence {
-            span,
-            symbol,
-            role,
-            definition,
-        });
+        self.places.push(Place::new(span.start, symbol, role, definition));
     }
 
     /// Notes that the statement at `line` bound the name; its place has been recorded among the last ones.
@@ -132,13 +192,10 @@ impl SymbolTable {
         self.definitions.push(Definition { symbol, line });
         let number = u32::try_from(self.definitions.len()).ok()?;
         let id = NonZeroU32::new(number).map(DefinitionId);
-        let own = self
-            .occurrences
-            .iter_mut()
-            .rev()
-            .take_while(|place| place.span.start >= line.start);
+        let places = self.places.iter_mut().rev();
+        let own = places.take_while(|place| place.start >= line.start);
         if let Some(place) = own.last() {
-            place.definition = id;
+            *place = Place::new(place.start, place.symbol, place.role(), id);
         }
         id
     }

@@ -4,11 +4,12 @@ mod reach;
 mod spoilt;
 mod uses;
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
+use std::collections::HashMap;
 
 use scenec_interpret::{Definition, DefinitionId, Interpretation, Occurrence, Role, SymbolId};
 use scenec_scene::{Base, Light, Material, Scene, SettingInfo, Settings, Steps};
-use scenec_syntax::{Content, Line, Space, Statement};
+use scenec_syntax::{Content, Line, Lines, Space, Statement, line};
 use scenec_text::{SourceFile, Span};
 
 use crate::geometry::Geometry;
@@ -17,32 +18,27 @@ pub(crate) use reach::Reach;
 use spoilt::Spoilt;
 use uses::Uses;
 
+/// A line of so many bytes is remembered once it was read.
+const LONG: u32 = 1024;
+
 /// One file in all its stages.
 pub(crate) struct Context<'a> {
     pub(crate) source: &'a SourceFile,
-    pub(crate) lines: &'a [Line],
     pub(crate) interpretation: &'a Interpretation,
+    /// Long lines that were read again, by their numbers: many findings about one must not read it each time.
+    long_lines: RefCell<HashMap<u32, Line>>,
     reach: OnceCell<Option<Reach>>,
     geometry: OnceCell<Geometry>,
     uses: OnceCell<Uses>,
     spoilt: OnceCell<Spoilt<'a>>,
 }
 
-/// A statement with the names on it.
-pub(crate) struct Sentence<'a> {
-    /// The words of the line, without a comment.
-    pub(crate) span: Span,
-    pub(crate) statement: &'a Statement,
-    /// The names, in the order of the line; the first is the one that it begins with.
-    pub(crate) places: &'a [Occurrence],
-}
-
 impl<'a> Context<'a> {
-    pub(crate) const fn new(source: &'a SourceFile, lines: &'a [Line], interpretation: &'a Interpretation) -> Self {
+    pub(crate) fn new(source: &'a SourceFile, interpretation: &'a Interpretation) -> Self {
         Self {
             source,
-            lines,
             interpretation,
+            long_lines: RefCell::default(),
             reach: OnceCell::new(),
             geometry: OnceCell::new(),
             uses: OnceCell::new(),
@@ -124,15 +120,38 @@ impl<'a> Context<'a> {
         Some((scene, self.geometry.get_or_init(|| Geometry::of(scene))))
     }
 
+    /// Every line that is not blank, read again.
+    pub(crate) fn lines(&self) -> impl Iterator<Item = Line> + 'a {
+        Lines::new(self.source)
+    }
+
+    /// Every statement with its place, read again.
+    pub(crate) fn statements(&self) -> impl Iterator<Item = (Span, Statement)> + 'a {
+        self.lines().filter_map(|line| match line.content {
+            Content::Statement(statement) => Some((line.span, statement)),
+            Content::Comment | Content::Broken(_) => None,
+        })
+    }
+
     /// The line that holds `place`, which may be its first byte or any other of its words.
-    pub(crate) fn line_at(&self, place: Span) -> Option<&'a Line> {
-        let after = self.lines.partition_point(|line| line.span.start <= place.start);
-        self.lines.get(after.checked_sub(1)?)
+    pub(crate) fn line_at(&self, place: Span) -> Option<Line> {
+        let number = self.source.line_of(place.start);
+        let span = self.source.line_span(number)?;
+        if span.len() < LONG {
+            return line(self.source, number);
+        }
+        let mut long_lines = self.long_lines.borrow_mut();
+        if let Some(known) = long_lines.get(&number) {
+            return Some(known.clone());
+        }
+        let read = line(self.source, number)?;
+        long_lines.insert(number, read.clone());
+        Some(read)
     }
 
     /// The statement of the line that holds `place`.
-    pub(crate) fn statement_at(&self, place: Span) -> Option<&'a Statement> {
-        match &self.line_at(place)?.content {
+    pub(crate) fn statement_at(&self, place: Span) -> Option<Statement> {
+        match self.line_at(place)?.content {
             Content::Statement(statement) => Some(statement),
             Content::Comment | Content::Broken(_) => None,
         }
@@ -140,34 +159,17 @@ impl<'a> Context<'a> {
 
     /// The place of a statement's value, by its number; the whole statement if it has no such value.
     pub(crate) fn value_at(&self, statement: Span, number: usize) -> Span {
-        let values = self.statement_at(statement).map(Statement::values).unwrap_or_default();
-        values.get(number).map_or(statement, |value| value.span)
+        let found = self.statement_at(statement);
+        let value = found.as_ref().and_then(|found| found.values().get(number));
+        value.map_or(statement, |value| value.span)
     }
 
-    /// Every statement with its names, in the order of the file.
-    pub(crate) fn sentences(&self) -> impl Iterator<Item = Sentence<'a>> {
-        let mut rest = self.interpretation.symbols.occurrences();
-        self.lines.iter().filter_map(move |line| {
-            let before = rest.iter().take_while(|place| place.span.start < line.span.end).count();
-            let (places, after) = rest.split_at(before);
-            rest = after;
-            match &line.content {
-                Content::Statement(statement) => Some(Sentence {
-                    span: line.span,
-                    statement,
-                    places,
-                }),
-                Content::Comment | Content::Broken(_) => None,
-            }
-        })
-    }
-
-    /// The names on the line of a statement.
-    pub(crate) fn places_on(&self, statement: Span) -> &'a [Occurrence] {
-        let places = self.interpretation.symbols.occurrences();
-        let start = places.partition_point(|place| place.span.start < statement.start);
-        let end = places.partition_point(|place| place.span.start < statement.end);
-        places.get(start..end).unwrap_or_default()
+    /// The names on the line of a statement, in order; the first is the one that it begins with.
+    pub(crate) fn places_on(
+        &self,
+        statement: Span,
+    ) -> impl ExactSizeIterator<Item = Occurrence> + DoubleEndedIterator + Clone + 'a {
+        self.interpretation.symbols.occurrences_in(statement)
     }
 
     /// Every definition with its number.
@@ -182,8 +184,8 @@ impl<'a> Context<'a> {
 
     /// The definition that a statement makes.
     pub(crate) fn definition_at(&self, statement: Span) -> Option<DefinitionId> {
-        let places = self.places_on(statement);
-        places.iter().find(|place| place.role == Role::Define)?.definition
+        let mut places = self.places_on(statement);
+        places.find(|place| place.role == Role::Define)?.definition
     }
 
     /// The name that a definition binds, without a sigil, and its name space.
@@ -211,11 +213,9 @@ impl<'a> Context<'a> {
 
     /// The places that edit what a definition made, in the order of the file.
     pub(crate) fn edits(&self, definition: DefinitionId) -> impl Iterator<Item = Occurrence> {
-        let places = self.interpretation.symbols.occurrences();
-        let edits = self.all_uses().edits(definition);
-        edits
-            .iter()
-            .filter_map(move |index| places.get(*index as usize).copied())
+        let symbols = &self.interpretation.symbols;
+        let edits = self.all_uses().edits(definition).iter();
+        edits.filter_map(|number| symbols.occurrence(*number as usize))
     }
 
     /// The statement that makes something, and every one that edits it.
@@ -243,7 +243,7 @@ impl<'a> Context<'a> {
 
     /// The variables that the values of a statement name, with what each is bound to.
     pub(crate) fn variables_on(&self, statement: Span) -> impl Iterator<Item = (Span, &'a Definition)> {
-        let read = self.places_on(statement).iter().filter(|place| place.role == Role::Use);
+        let read = self.places_on(statement).filter(|place| place.role == Role::Use);
         read.filter_map(|place| Some((place.span, self.definition(place.definition?)?)))
             .filter(|(_, definition)| self.named(definition).1 == Some(Space::Variable))
     }

@@ -13,6 +13,10 @@ impl Findings {
         self.list.push(finding);
     }
 
+    pub(crate) fn extend(&mut self, findings: impl IntoIterator<Item = Diagnostic>) {
+        self.list.extend(findings);
+    }
+
     /// All of them, ordered by place and then by code.
     pub(crate) fn sorted(mut self) -> Vec<Diagnostic> {
         sort(&mut self.list);

@@ -40,12 +40,10 @@ fn rename_all(context: &Context<'_>, place: Span, fix: &mut Fix) {
     };
     let places = context.places_on(line.span);
     let symbol = places
-        .iter()
+        .clone()
         .find(|other| other.span == first.span)
         .map(|other| other.symbol);
-    let again = places
-        .iter()
-        .filter(|other| Some(other.symbol) == symbol && other.span != first.span);
+    let again = places.filter(|other| Some(other.symbol) == symbol && other.span != first.span);
     fix.edits
         .extend(again.filter(|other| other.role == Role::Use).map(|other| Edit {
             span: other.span,

@@ -8,7 +8,7 @@ mod remark;
 
 use std::collections::HashMap;
 
-use scenec_syntax::{Content, Line};
+use scenec_syntax::{Content, line};
 use scenec_text::{Code, Diagnostic, Edit, Severity, SourceFile, Span};
 
 use crate::findings;
@@ -17,8 +17,8 @@ use allow::Allow;
 /// Leaves out the warnings and hints that comments of the file silence, and reports what is useless in such comments.
 /// Errors can't be silenced. The findings come ordered by place.
 #[must_use]
-pub fn suppress(source: &SourceFile, lines: &[Line], findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
-    let mut allows = Allows::gather(source, lines);
+pub fn suppress(source: &SourceFile, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let mut allows = Allows::gather(source);
     if allows.list.is_empty() {
         return findings;
     }
@@ -54,37 +54,38 @@ struct Allows {
 }
 
 impl Allows {
-    fn gather(source: &SourceFile, lines: &[Line]) -> Self {
+    fn gather(source: &SourceFile) -> Self {
         let mut allows = Self {
             list: Vec::new(),
             places: HashMap::new(),
         };
-        let mut begun = false;
-        // Comments on lines of their own, in a row up to this line, that wait for what they are about.
-        let mut waiting: Vec<usize> = Vec::new();
-        let mut last = 0;
-        for line in lines {
-            let own = matches!(line.content, Content::Comment);
-            begun |= !own;
-            let allow = line.comment.and_then(|comment| Allow::read(comment, source.text()));
-            if waiting.is_empty() && allow.is_none() {
+        let mut begun = None;
+        // The line after the last row of comments that was looked at.
+        let mut behind = 0;
+        let mut places = source.text().match_indices(allow::MARK).peekable();
+        while let Some((offset, _)) = places.next() {
+            let number = source.line_of(u32::try_from(offset).unwrap_or(u32::MAX));
+            // One look at a line is enough.
+            let next = source.line_span(number + 1).map_or(u32::MAX, |next| next.start);
+            while places.next_if(|(offset, _)| *offset < next as usize).is_some() {}
+            let Some(line) = line(source, number) else { continue };
+            let Some(allow) = line.comment.and_then(|comment| Allow::read(comment, source.text())) else {
                 continue;
-            }
-            let number = source.line_of(line.span.start);
-            if !waiting.is_empty() && (number != last + 1 || !own) {
-                for index in waiting.drain(..) {
-                    allows.aim(index, Some(last + 1));
-                }
-            }
-            last = number;
-            let Some(allow) = allow else { continue };
+            };
             allows.list.push(allow);
-            let index = allows.list.len() - 1;
-            match (begun, own) {
-                (false, _) => allows.aim(index, None),
-                (true, true) => waiting.push(index),
-                (true, false) => allows.aim(index, Some(number)),
-            }
+            let begun = *begun.get_or_insert_with(|| end_of_comments(source, 0, true));
+            let own = matches!(line.content, Content::Comment);
+            let target = match (number < begun, own) {
+                (true, _) => None,
+                (false, false) => Some(number),
+                (false, true) => {
+                    if behind <= number {
+                        behind = end_of_comments(source, number, false);
+                    }
+                    Some(behind)
+                }
+            };
+            allows.aim(allows.list.len() - 1, target);
         }
         allows
     }
@@ -125,6 +126,16 @@ impl Allows {
         let remark = |allow| remark::remarks(source, allow, &about);
         self.list.iter().flat_map(remark).collect()
     }
+}
+
+/// The number of the first line from `number` on that is no comment; blank ones may be passed over as well.
+fn end_of_comments(source: &SourceFile, number: u32, over_blank: bool) -> u32 {
+    let passed = |number: u32| match line(source, number) {
+        Some(line) => matches!(line.content, Content::Comment),
+        None => over_blank,
+    };
+    let mut numbers = number..source.line_count();
+    numbers.find(|number| !passed(*number)).unwrap_or(source.line_count())
 }
 
 /// The place of `part`, which is a piece of the text at `whole`.

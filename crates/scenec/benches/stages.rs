@@ -72,9 +72,7 @@ fn rules(bencher: Bencher, size: usize) {
     let (lines, _) = parse(&source);
     let (interpretation, _) = interpret(&source, &lines);
     assert!(interpretation.scene.is_some(), "a file with errors skips most rules");
-    measure(bencher, &source, |source| {
-        scenec_lint::lint(source, &lines, &interpretation)
-    });
+    measure(bencher, &source, |source| scenec_lint::lint(source, &interpretation));
 }
 
 #[divan::bench(args = SIZES, sample_size = 1, sample_count = 10)]

@@ -10,42 +10,80 @@ use crate::token::{Scanner, Token, Word};
 use crate::{Broken, Content, Line, characters, number};
 use line::LineParser;
 
-/// Reads a whole file. Every line that isn't blank gives one [`Line`]; one that fits no statement is
-/// [`Content::Broken`] and reported, unless its fault is a byte that was no UTF-8, which the file's reader has reported.
-/// The findings stand in the order of the file.
+/// Reads a whole file; the lines and findings are those of [`Lines`].
 #[must_use]
 pub fn parse(source: &SourceFile) -> (Vec<Line>, Vec<Diagnostic>) {
-    let mut file = FileParser {
-        source,
-        words: Vec::new(),
-        comment: None,
-        sound: true,
-        lines: Vec::new(),
-        diagnostics: Vec::new(),
-    };
-    for word in Scanner::new(source.text()) {
-        match word.token {
-            Token::Newline => file.end_line(),
-            Token::Comment => file.comment = Some(without_carriage_return(source.text(), word.span)),
-            _ => file.push(word),
-        }
-    }
-    file.end_line();
-    (file.lines, file.diagnostics)
+    let mut lines = Lines::new(source);
+    let all = lines.by_ref().collect();
+    (all, lines.findings())
 }
 
-struct FileParser<'a> {
+/// Reads one line again, by its number as in [`SourceFile::line_span`]; `None` if it is blank. What is wrong with it is not
+/// reported.
+#[must_use]
+pub fn line(source: &SourceFile, number: u32) -> Option<Line> {
+    let span = source.line_span(number)?;
+    Lines::of(source, Scanner::within(source.text(), span)).next()
+}
+
+/// Reads a file line by line. Every line that isn't blank gives one [`Line`]; one that fits no statement is
+/// [`Content::Broken`] and reported, unless its fault is a byte that was no UTF-8, which the file's reader has reported.
+pub struct Lines<'a> {
     source: &'a SourceFile,
+    scanner: Scanner<'a>,
     /// The tokens of the current line.
     words: Vec<Word>,
     comment: Option<Span>,
     /// Whether every token of the current line is one.
     sound: bool,
-    lines: Vec<Line>,
     diagnostics: Vec<Diagnostic>,
 }
 
-impl FileParser<'_> {
+impl<'a> Lines<'a> {
+    /// The lines of a file, from the first one.
+    #[must_use]
+    pub fn new(source: &'a SourceFile) -> Self {
+        Self::of(source, Scanner::new(source.text()))
+    }
+
+    const fn of(source: &'a SourceFile, scanner: Scanner<'a>) -> Self {
+        Self {
+            source,
+            scanner,
+            words: Vec::new(),
+            comment: None,
+            sound: true,
+            diagnostics: Vec::new(),
+        }
+    }
+
+    /// What was found on the lines that were read, in their order.
+    #[must_use]
+    pub fn findings(self) -> Vec<Diagnostic> {
+        self.diagnostics
+    }
+}
+
+impl Iterator for Lines<'_> {
+    type Item = Line;
+
+    fn next(&mut self) -> Option<Line> {
+        while let Some(word) = self.scanner.next() {
+            match word.token {
+                Token::Newline => {
+                    if let Some(line) = self.end_line() {
+                        return Some(line);
+                    }
+                }
+                Token::Comment => self.comment = Some(without_carriage_return(self.source.text(), word.span)),
+                _ => self.push(word),
+            }
+        }
+        self.end_line()
+    }
+}
+
+impl Lines<'_> {
     fn push(&mut self, mut word: Word) {
         match word.token {
             Token::Number => {
@@ -62,17 +100,16 @@ impl FileParser<'_> {
         self.words.push(word);
     }
 
-    fn end_line(&mut self) {
+    /// The line whose tokens have all been read, unless it is blank.
+    fn end_line(&mut self) -> Option<Line> {
         let comment = self.comment.take();
-        let content = match (self.words.first(), self.words.last()) {
-            (Some(first), Some(last)) => Some((first.span.to(last.span), self.content())),
-            _ => comment.map(|comment| (Span::at(comment.start), Content::Comment)),
+        let (span, content) = match (self.words.first(), self.words.last()) {
+            (Some(first), Some(last)) => (first.span.to(last.span), self.content()),
+            _ => (Span::at(comment?.start), Content::Comment),
         };
-        if let Some((span, content)) = content {
-            self.lines.push(Line { span, content, comment });
-        }
         self.words.clear();
         self.sound = true;
+        Some(Line { span, content, comment })
     }
 
     fn content(&mut self) -> Content {

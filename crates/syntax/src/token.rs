@@ -96,11 +96,25 @@ pub(crate) struct Scanner<'a> {
 }
 
 impl<'a> Scanner<'a> {
+    /// A whole file, which a byte-order mark may begin.
     pub(crate) fn new(text: &'a str) -> Self {
+        let mark = if text.starts_with('\u{FEFF}') {
+            '\u{FEFF}'.len_utf8()
+        } else {
+            0
+        };
+        Self::from(text, mark)
+    }
+
+    /// Only what is at a place, between characters; the offsets are those of the whole text.
+    pub(crate) fn within(text: &'a str, place: Span) -> Self {
+        let text = text.get(..place.end as usize).unwrap_or_default();
+        Self::from(text, text.len().min(place.start as usize))
+    }
+
+    fn from(text: &'a str, start: usize) -> Self {
         let mut lexer = Token::lexer(text);
-        if text.starts_with('\u{FEFF}') {
-            lexer.bump('\u{FEFF}'.len_utf8());
-        }
+        lexer.bump(start);
         Self { lexer, ahead: None }
     }
 

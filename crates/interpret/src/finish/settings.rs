@@ -80,7 +80,8 @@ enum Found<'s> {
 }
 
 fn found<'s>(state: &'s State<'_>, row: &SettingInfo) -> Found<'s> {
-    let entries = [Some(row.name), row.alias].map(|name| name.and_then(|name| state.variables.find(name)));
+    let names = [Some(row.name), row.alias];
+    let entries = names.map(|name| name.and_then(|name| state.variables.find(name)));
     let poisoned = |entry: &&crate::names::Entry<'_, Variable>| matches!(entry.binding, Binding::Poisoned);
     if entries.iter().flatten().any(poisoned) {
         return Found::Poisoned;
@@ -88,7 +89,12 @@ fn found<'s>(state: &'s State<'_>, row: &SettingInfo) -> Found<'s> {
     match entries.map(|entry| entry.and_then(|entry| entry.bound())) {
         [Some(name), Some(alias)] => Found::Twice(name, alias),
         [Some(one), None] | [None, Some(one)] => Found::Value(one),
-        [None, None] => Found::Missing(entries.iter().flatten().find_map(|entry| entry.ignored)),
+        [None, None] => Found::Missing(
+            names
+                .into_iter()
+                .flatten()
+                .find_map(|name| state.variables.ignored(name)),
+        ),
     }
 }
 

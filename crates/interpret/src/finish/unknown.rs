@@ -35,7 +35,7 @@ fn describe<T>(
     if let Some(ignored) = unknown.ignored {
         return finding.label(ignored, format!("this would have made {word}, but was ignored itself"));
     }
-    if let Some(later) = entry.first_bound {
+    if let Some(later) = entry.first_bound(&state.symbols) {
         return finding
             .label(later, format!("{word} is only made here"))
             .help("a statement knows only what stands before it: move this one down, or the other up");
@@ -58,7 +58,7 @@ fn describe<T>(
     let known = names
         .entries
         .iter()
-        .map(|other| before(other.first_bound).then_some(other.name));
+        .map(|other| before(other.first_bound(&state.symbols)).then_some(other.name));
     match suggestions.closest(entry.name, known) {
         Some(near) => {
             let near_word = quote(&format!("{sigil}{near}"));
@@ -72,10 +72,22 @@ fn describe<T>(
 
 /// The name spaces in which the name is bound before or after, though not in the one where it was looked for.
 fn elsewhere(state: &State<'_>, name: &str) -> Option<(Space, Span)> {
-    let object = state.objects.find(name).and_then(|entry| entry.first_bound);
-    let paint = state.paints.find(name).and_then(|entry| entry.first_bound);
-    let variable = state.variables.find(name).and_then(|entry| entry.first_bound);
-    let lamp = state.lamps.find(name).and_then(|entry| entry.first_bound);
+    let object = state
+        .objects
+        .find(name)
+        .and_then(|entry| entry.first_bound(&state.symbols));
+    let paint = state
+        .paints
+        .find(name)
+        .and_then(|entry| entry.first_bound(&state.symbols));
+    let variable = state
+        .variables
+        .find(name)
+        .and_then(|entry| entry.first_bound(&state.symbols));
+    let lamp = state
+        .lamps
+        .find(name)
+        .and_then(|entry| entry.first_bound(&state.symbols));
     let all = [
         (Space::Object, object),
         (Space::Material, paint),

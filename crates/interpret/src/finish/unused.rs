@@ -28,11 +28,11 @@ pub(super) fn report(state: &mut State<'_>, suggestions: &mut Suggestions) {
     for finding in findings {
         state.report(finding);
     }
-    for id in 0..state.objects.entries.len() {
-        let entry = &mut state.objects.entries[id];
-        let name = entry.name;
-        if let Some(object) = entry.replace(Binding::Absent) {
-            report_stale(state, name, &object);
+    let mut edited: Vec<_> = state.stale.keys().copied().collect();
+    edited.sort_unstable();
+    for id in edited {
+        if let Some(object) = state.objects.entries[id].replace(Binding::Absent) {
+            report_stale(state, id, &object);
             state.objects.entries[id].binding = Binding::Bound(object);
         }
     }

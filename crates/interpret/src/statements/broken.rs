@@ -56,8 +56,10 @@ fn mark_used(state: &mut State<'_>, name: &str) {
     if let Some(paint) = state.paints.find_mut(name).and_then(|entry| entry.bound_mut()) {
         paint.used = true;
     }
-    if let Some(object) = state.objects.find_mut(name).and_then(|entry| entry.bound_mut()) {
+    if let Some(id) = state.objects.number(name)
+        && let Some(object) = state.objects.entries[id].bound_mut()
+    {
         object.used = true;
-        object.stale.clear();
+        state.stale.remove(&id);
     }
 }

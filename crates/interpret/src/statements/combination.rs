@@ -33,7 +33,7 @@ pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, operator: Opera
         }
         (left, right) => match left.err().max(right.err()) {
             Some(Gap::Poisoned) => operand::poison(state, id),
-            _ => state.objects.entries[id].ignored = Some(line),
+            _ => state.objects.ignore(id, line),
         },
     }
 }

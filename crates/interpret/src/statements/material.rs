@@ -16,7 +16,7 @@ pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, values: &[Value
     let numbers = match numbers {
         Ok(numbers) => numbers,
         Err(Gap::Unknown) => {
-            entry.ignored = Some(line);
+            state.paints.ignore(id, line);
             return;
         }
         Err(Gap::Poisoned) => {

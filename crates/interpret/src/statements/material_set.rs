@@ -34,7 +34,5 @@ pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, material: Span)
             bound.solid = solid;
         }
     }
-    if let Some(bound) = state.objects.entries[object].bound_mut() {
-        operand::edited(bound, line);
-    }
+    operand::edited(state, object, line);
 }

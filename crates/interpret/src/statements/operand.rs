@@ -18,15 +18,13 @@ pub(super) fn bind(state: &mut State<'_>, id: NameId, solid: SolidId, line: Span
     if !before.used {
         state.overwritten(Space::Object, name, before.line, line);
     }
-    report_stale(state, name, &before);
+    report_stale(state, id, &before);
 }
 
 /// Takes an object's meaning away because of an error.
 pub(super) fn poison(state: &mut State<'_>, id: NameId) {
-    let entry = &mut state.objects.entries[id];
-    let name = entry.name;
-    if let Some(before) = entry.replace(Binding::Poisoned) {
-        report_stale(state, name, &before);
+    if let Some(before) = state.objects.entries[id].replace(Binding::Poisoned) {
+        report_stale(state, id, &before);
     }
 }
 
@@ -36,29 +34,30 @@ pub(super) fn take(state: &mut State<'_>, id: NameId, line: Span) -> Option<Soli
     object.used = true;
     object.frozen = true;
     object.taken = Some(line);
-    object.stale.clear();
+    state.stale.remove(&id);
     Some(object.solid)
 }
 
-/// Notes an edit, which is lost if nothing takes the object again.
-pub(super) fn edited(object: &mut Object, line: Span) {
-    if object.taken.is_some() {
-        object.stale.push(line);
+/// Notes an edit of an object, which is lost if nothing takes the object again.
+pub(super) fn edited(state: &mut State<'_>, id: NameId, line: Span) {
+    let object = state.objects.entries[id].bound();
+    if object.is_some_and(|object| object.taken.is_some()) {
+        state.stale.entry(id).or_default().push(line);
     }
 }
 
 /// Warns about each edit of an object that came after the last combination took it.
-pub(crate) fn report_stale(state: &mut State<'_>, name: &str, object: &Object) {
-    let Some(taken) = object.taken else {
+pub(crate) fn report_stale(state: &mut State<'_>, id: NameId, object: &Object) {
+    let (Some(edits), Some(taken)) = (state.stale.remove(&id), object.taken) else {
         return;
     };
-    let name = quote(&format!("!{name}"));
-    for edit in &object.stale {
+    let name = quote(&format!("!{}", state.objects.entries[id].name));
+    for edit in edits {
         state.report(
             Diagnostic::new(
                 Code::OperandEdited,
                 format!("this edit of {name} reaches no combination"),
-                *edit,
+                edit,
                 "the edited object is never taken",
             )
             .label(taken, format!("{name} was taken here as it stood"))

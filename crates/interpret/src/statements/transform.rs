@@ -41,9 +41,7 @@ pub(super) fn apply(state: &mut State<'_>, line: Span, object: Result<NameId, Ga
             return;
         }
     }
-    if let Some(object) = state.objects.entries[id].bound_mut() {
-        operand::edited(object, line);
-    }
+    operand::edited(state, id, line);
 }
 
 /// The leaf that an object is, to change it: a copy of its own if a combination holds the present one. `None` for a

@@ -31,7 +31,7 @@ pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, value: Value) {
                 state.overwritten(Space::Variable, name, before.line, line);
             }
         }
-        Err(Gap::Unknown) => entry.ignored = Some(line),
+        Err(Gap::Unknown) => state.variables.ignore(id, line),
         Err(Gap::Poisoned) => entry.binding = Binding::Poisoned,
     }
 }

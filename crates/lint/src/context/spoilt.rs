@@ -3,10 +3,11 @@
 use std::collections::HashSet;
 
 use scenec_interpret::DefinitionId;
-use scenec_scene::{Base, Step};
+use scenec_scene::Base;
 use scenec_syntax::{Content, Form, Space, Statement};
+use scenec_text::Span;
 
-use super::{Context, Sentence};
+use super::Context;
 
 /// What can't be relied upon in a file with errors.
 pub(super) struct Spoilt<'a> {
@@ -30,7 +31,7 @@ impl<'a> Spoilt<'a> {
             moved: Vec::new(),
         };
         let text = context.text();
-        for line in context.lines {
+        for line in context.lines() {
             match &line.content {
                 Content::Broken(broken) => {
                     let names = broken.mentions.iter().chain(&broken.name);
@@ -72,22 +73,18 @@ impl<'a> Spoilt<'a> {
     /// The base objects of the transforms, which come in the order of their statements. A transform that came to nothing
     /// may have been a mistake, and what it was to be changes those after it.
     fn bases(&self, context: &Context<'a>) -> Vec<Option<Base>> {
-        let steps: &[Step] = context.steps();
+        let steps = context.steps();
+        let mut written = steps.iter().map(|step| step.span).peekable();
         let mut unsure: HashSet<DefinitionId> = HashSet::new();
         let mut moved = Vec::with_capacity(steps.len());
-        for Sentence {
-            statement,
-            places,
-            span,
-        } in context.sentences()
-        {
+        for (span, statement) in context.statements() {
             let (Statement::Scale { name, .. } | Statement::Rotate { name, .. } | Statement::Translate { name, .. }) =
                 statement
             else {
                 continue;
             };
-            let object = places.first().and_then(|place| place.definition);
-            if steps.get(moved.len()).is_none_or(|step| step.span != span) {
+            let object = context.places_on(span).next().and_then(|place| place.definition);
+            if written.next_if_eq(&span).is_none() {
                 unsure.extend(object);
                 continue;
             }
@@ -100,11 +97,11 @@ impl<'a> Spoilt<'a> {
 
 /// Whether the file submits an object that there is.
 fn submits(context: &Context<'_>) -> bool {
-    let submits = |sentence: Sentence<'_>| {
-        let object = sentence.places.first().and_then(|place| place.definition);
-        matches!(sentence.statement, Statement::Submit { .. }) && object.is_some()
+    let submits = |(span, statement): (Span, Statement)| {
+        let object = || context.places_on(span).next().and_then(|place| place.definition);
+        matches!(statement, Statement::Submit { .. }) && object().is_some()
     };
-    context.sentences().any(submits)
+    context.statements().any(submits)
 }
 
 fn base(context: &Context<'_>, object: DefinitionId) -> Option<Base> {

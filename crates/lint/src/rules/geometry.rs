@@ -59,8 +59,8 @@ impl Written {
         };
         Some(Self {
             statement: solid.span,
-            left: part(left, *first),
-            right: part(right, *second),
+            left: part(left, first),
+            right: part(right, second),
         })
     }
 
@@ -81,7 +81,7 @@ fn leave_out(context: &Context<'_>, scene: &Scene, member: Member) -> Option<Fix
         SolidKind::Combine { left, .. } if left == member.solid => (&written.left, &written.right),
         _ => return None,
     };
-    let places = context.places_on(written.statement);
+    let places: Vec<_> = context.places_on(written.statement).collect();
     let at = |span: Span| places.iter().find(|place| place.span == span);
     let (union, part_at, rest_at) = (places.first()?, at(part.place)?, at(rest.place)?);
     if union.symbol != rest_at.symbol || union.symbol == part_at.symbol {
@@ -109,7 +109,7 @@ fn made(finding: Diagnostic, statement: Span, label: impl Into<String>) -> Diagn
 /// The name that a solid was made under, for a message.
 fn name_of(context: &Context<'_>, scene: &Scene, id: SolidId) -> String {
     let span = scene.solid(id).span;
-    let name = context.statement_at(span).map_or(span, Statement::name);
+    let name = context.statement_at(span).map_or(span, |found| found.name());
     quote(&format!("!{}", name.of(context.text())))
 }
 

@@ -13,7 +13,7 @@ pub(super) mod negative_coefficient;
 pub(super) mod negative_light;
 pub(super) mod unbent_glass;
 
-use scenec_syntax::{Statement, quote};
+use scenec_syntax::quote;
 use scenec_text::Span;
 
 use crate::context::Context;
@@ -34,6 +34,6 @@ fn figure(number: f64) -> String {
 
 /// The name of the material that a statement defines, for a message.
 fn material_name(context: &Context<'_>, statement: Span) -> String {
-    let name = context.statement_at(statement).map_or(statement, Statement::name);
+    let name = context.statement_at(statement).map_or(statement, |found| found.name());
     quote(&format!("?{}", name.of(context.text())))
 }

@@ -4,7 +4,10 @@ use scenec_text::{Code, Span};
 
 use super::place;
 
-/// A comment that begins with `scenec:`.
+/// What such a comment begins with.
+pub(super) const MARK: &str = "scenec:";
+
+/// A comment that begins with the mark.
 pub(super) struct Allow {
     /// The comment from its slash on.
     pub(super) comment: Span,
@@ -31,7 +34,7 @@ impl Allow {
         let rest = whole
             .trim_start_matches('/')
             .trim_start()
-            .strip_prefix("scenec:")?
+            .strip_prefix(MARK)?
             .trim_start();
         let verb = word(rest);
         let mut named = Vec::new();

@@ -100,10 +100,7 @@ fn still(height: f64, by: f64) -> bool {
 
 /// Whether a value of the transform is a variable that other statements read too.
 fn shared(context: &Context<'_>, statement: Span) -> bool {
-    let here = context
-        .places_on(statement)
-        .iter()
-        .filter(|place| place.role == Role::Use);
+    let here = context.places_on(statement).filter(|place| place.role == Role::Use);
     let elsewhere = |id| context.uses(id) as usize > here.clone().filter(|place| place.definition == Some(id)).count();
     here.clone().filter_map(|place| place.definition).any(elsewhere)
 }

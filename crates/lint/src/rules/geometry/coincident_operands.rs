@@ -141,7 +141,6 @@ fn united(context: &Context<'_>, scene: &Scene, covered: &Covered, last: &[usize
 fn copies(context: &Context<'_>, statement: Span, last: &[usize]) -> bool {
     let places = context.places_on(statement);
     let read: Vec<DefinitionId> = places
-        .iter()
         .filter(|place| place.role == Role::Use)
         .filter_map(|place| place.definition)
         .collect();

@@ -1,7 +1,7 @@
 //! A ray depth that no material uses.
 
 use scenec_scene::setting;
-use scenec_syntax::{Statement, ValueKind};
+use scenec_syntax::ValueKind;
 use scenec_text::{Code, Diagnostic, Edit, Fix};
 
 use crate::context::Context;
@@ -47,8 +47,9 @@ fn check(context: &Context<'_>, findings: &mut Findings) {
         format!("up to {depth} reflections and refractions that never come"),
     )
     .help("`raydepth := 0` gives the same picture");
-    let values = context.statement_at(line).map(Statement::values).unwrap_or_default();
-    if let Some(ValueKind::Number(_)) = values.first().map(|value| value.kind) {
+    let found = context.statement_at(line);
+    let written = found.as_ref().and_then(|found| found.values().first());
+    if let Some(ValueKind::Number(_)) = written.map(|value| value.kind) {
         finding = finding.fix(Fix {
             title: "set `raydepth` to 0".to_owned(),
             edits: vec![Edit {

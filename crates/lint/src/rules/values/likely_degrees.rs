@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::f64::consts::TAU;
 
 use scenec_scene::StepKind;
-use scenec_syntax::{Statement, ValueKind};
+use scenec_syntax::ValueKind;
 use scenec_text::{Code, Diagnostic, Edit, Fix, Span};
 
 use crate::context::Context;
@@ -75,11 +75,12 @@ fn report(context: &Context<'_>, statement: Span, angle: f64, variable: Option<S
     if let Some(line) = variable {
         return finding.label(line, "the value comes from here");
     }
-    let number = context
-        .statement_at(statement)
-        .map(Statement::values)
-        .unwrap_or_default();
-    match number.first().map(|value| value.kind) {
+    let rotation = context.statement_at(statement);
+    match rotation
+        .as_ref()
+        .and_then(|rotation| rotation.values().first())
+        .map(|value| value.kind)
+    {
         Some(ValueKind::Number(_)) => finding.fix(Fix {
             title: "take it as degrees".to_owned(),
             edits: vec![Edit {
