@@ -3,7 +3,7 @@
 use std::borrow::Borrow;
 
 use scenec_scene::{Light, Material, Scene, Settings, Steps};
-use scenec_syntax::{Content, Line, Lines};
+use scenec_syntax::{Content, Line, read_ahead};
 use scenec_text::{Diagnostic, SourceFile};
 
 use crate::state::State;
@@ -33,7 +33,7 @@ pub struct Fragments {
     pub steps: Steps,
 }
 
-/// Interprets the lines of `source`, as [`Lines`] reads them one after the other or a list holds them. The findings are ordered by place; what a broken line or a bad
+/// Interprets the lines of `source`, as [`scenec_syntax::Lines`] reads them one after the other or a list holds them. The findings are ordered by place; what a broken line or a bad
 /// byte caused has been reported and is passed over.
 #[must_use]
 pub fn interpret<L: Borrow<Line>>(
@@ -58,9 +58,7 @@ pub fn interpret<L: Borrow<Line>>(
 /// Parses and interprets a file. The findings of both stages come in one list, ordered by place.
 #[must_use]
 pub fn analyse(source: &SourceFile) -> (Interpretation, Vec<Diagnostic>) {
-    let mut lines = Lines::new(source);
-    let (interpretation, more) = interpret(source, &mut lines);
-    let mut diagnostics = lines.findings();
+    let ((interpretation, more), mut diagnostics) = read_ahead(source, |lines| interpret(source, lines));
     diagnostics.extend(more);
     diagnostics.sort_by_key(|finding| finding.span().start);
     (interpretation, diagnostics)

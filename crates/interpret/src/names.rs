@@ -2,6 +2,7 @@
 
 use std::hash::BuildHasher;
 
+use hashbrown::hash_table::Entry::{Occupied, Vacant};
 use hashbrown::{DefaultHashBuilder, HashMap, HashTable};
 use scenec_syntax::Space;
 use scenec_text::Span;
@@ -50,7 +51,17 @@ pub(crate) struct Entry<'a, T> {
     first: Option<DefinitionId>,
 }
 
-impl<T> Entry<'_, T> {
+impl<'a, T> Entry<'a, T> {
+    const fn new(name: &'a str, symbol: SymbolId) -> Self {
+        Self {
+            name,
+            symbol,
+            binding: Binding::Absent,
+            definition: None,
+            first: None,
+        }
+    }
+
     /// The first statement that bound it.
     pub(crate) fn first_bound(&self, symbols: &SymbolTable) -> Option<Span> {
         let made = symbols.definitions().get(self.first?.index());
@@ -107,11 +118,16 @@ struct Slot {
 
 impl<'a, T> Names<'a, T> {
     pub(crate) fn new(space: Space) -> Self {
+        Self::with_room(space, 0)
+    }
+
+    /// With room for about so many names.
+    pub(crate) fn with_room(space: Space, room: usize) -> Self {
         Self {
             space,
             ids: HashTable::new(),
             hashing: DefaultHashBuilder::default(),
-            entries: Vec::new(),
+            entries: Vec::with_capacity(room),
             ignored: HashMap::new(),
         }
     }
@@ -120,10 +136,18 @@ impl<'a, T> Names<'a, T> {
     pub(crate) fn mention(&mut self, text: &'a str, span: Span, role: Role, symbols: &mut SymbolTable) -> NameId {
         let name = span.of(text);
         let hash = self.hash(name);
-        let id = self.id(name, hash).unwrap_or_else(|| {
-            let symbol = symbols.add(self.space, span);
-            self.add(name, hash, symbol)
-        });
+        let entries = &mut self.entries;
+        let same =
+            |slot: &Slot| slot.hash == hash && entries.get(slot.id as usize).is_some_and(|known| known.name == name);
+        let id = match self.ids.entry(widened(hash), same, |slot| widened(slot.hash)) {
+            Occupied(slot) => slot.get().id as usize,
+            Vacant(slot) => {
+                let id = entries.len();
+                slot.insert(Slot { hash, id: id as u32 });
+                entries.push(Entry::new(name, symbols.add(self.space, span)));
+                id
+            }
+        };
         let entry = &self.entries[id];
         let known = matches!(entry.binding, Binding::Bound(_)) && role != Role::Define;
         symbols.record(entry.symbol, span, role, entry.definition.filter(|_| known));
@@ -191,20 +215,6 @@ impl<'a, T> Names<'a, T> {
             slot.hash == hash && entry.is_some_and(|entry| entry.name == name)
         };
         Some(self.ids.find(widened(hash), same)?.id as usize)
-    }
-
-    fn add(&mut self, name: &'a str, hash: u32, symbol: SymbolId) -> NameId {
-        let id = self.entries.len();
-        let slot = Slot { hash, id: id as u32 };
-        self.ids.insert_unique(widened(hash), slot, |slot| widened(slot.hash));
-        self.entries.push(Entry {
-            name,
-            symbol,
-            binding: Binding::Absent,
-            definition: None,
-            first: None,
-        });
-        id
     }
 }
 

@@ -9,6 +9,9 @@ use crate::bindings::{Lamp, Object, Paint, Variable};
 use crate::names::{Gap, NameId, Names, Unknown};
 use crate::{Role, SymbolTable};
 
+/// For so many bytes of a text there is room for one object from the start.
+const BYTES_PER_OBJECT: usize = 64;
+
 /// What became of submissions so far.
 #[derive(Default)]
 pub(crate) struct Submission {
@@ -43,20 +46,22 @@ pub(crate) struct State<'a> {
 
 impl<'a> State<'a> {
     pub(crate) fn new(text: &'a str) -> Self {
+        // Memory that is never touched costs nothing, and lists that grow are copied again and again.
+        let room = text.len() / BYTES_PER_OBJECT;
         Self {
             text,
             variables: Names::new(Space::Variable),
-            objects: Names::new(Space::Object),
+            objects: Names::with_room(Space::Object, room),
             paints: Names::new(Space::Material),
             lamps: Names::new(Space::Light),
             stale: HashMap::new(),
             materials: vec![DEFAULT_MATERIAL],
             lights: Vec::new(),
-            solids: Vec::new(),
-            steps: Steps::default(),
+            solids: Vec::with_capacity(room),
+            steps: Steps::with_room(room),
             submission: Submission::default(),
             unknown: Vec::new(),
-            symbols: SymbolTable::default(),
+            symbols: SymbolTable::with_room(room),
             diagnostics: Vec::new(),
             failed: false,
         }

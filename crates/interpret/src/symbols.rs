@@ -105,6 +105,15 @@ impl Place {
 }
 
 impl SymbolTable {
+    /// With room for about so many symbols and what belongs to them.
+    pub(crate) fn with_room(room: usize) -> Self {
+        Self {
+            symbols: Vec::with_capacity(room),
+            places: Vec::with_capacity(room * 4),
+            definitions: Vec::with_capacity(room),
+        }
+    }
+
     /// The symbols in the order in which they first stand in the file; a [`SymbolId`] is an index into them.
     #[must_use]
     pub fn symbols(&self) -> &[Symbol] {

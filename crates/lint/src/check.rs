@@ -1,7 +1,7 @@
 //! All rules over one file, and the whole way from a text to its findings.
 
 use scenec_interpret::{Interpretation, interpret};
-use scenec_syntax::{Line, Lines};
+use scenec_syntax::{Line, read_ahead};
 use scenec_text::{Diagnostic, SourceFile};
 
 use crate::context::Context;
@@ -23,9 +23,8 @@ pub struct Checked {
 /// after the other and not kept: they would take more memory than everything else.
 #[must_use]
 pub fn check(source: &SourceFile) -> Checked {
-    let mut lines = Lines::new(source);
-    let read = interpret(source, &mut lines);
-    judge(source, lines.findings(), read)
+    let (read, findings) = read_ahead(source, |lines| interpret(source, lines));
+    judge(source, findings, read)
 }
 
 /// The same for a file whose lines are there already, with what reading them has found.

@@ -16,7 +16,7 @@ use crate::geometry::Geometry;
 
 pub(crate) use reach::Reach;
 use spoilt::Spoilt;
-use uses::Uses;
+use uses::{Edits, Uses};
 
 /// A line of so many bytes is remembered once it was read.
 const LONG: u32 = 1024;
@@ -30,6 +30,7 @@ pub(crate) struct Context<'a> {
     reach: OnceCell<Option<Reach>>,
     geometry: OnceCell<Geometry>,
     uses: OnceCell<Uses>,
+    edits: OnceCell<Edits>,
     spoilt: OnceCell<Spoilt<'a>>,
 }
 
@@ -42,6 +43,7 @@ impl<'a> Context<'a> {
             reach: OnceCell::new(),
             geometry: OnceCell::new(),
             uses: OnceCell::new(),
+            edits: OnceCell::new(),
             spoilt: OnceCell::new(),
         }
     }
@@ -214,8 +216,8 @@ impl<'a> Context<'a> {
     /// The places that edit what a definition made, in the order of the file.
     pub(crate) fn edits(&self, definition: DefinitionId) -> impl Iterator<Item = Occurrence> {
         let symbols = &self.interpretation.symbols;
-        let edits = self.all_uses().edits(definition).iter();
-        edits.filter_map(|number| symbols.occurrence(*number as usize))
+        let edits = self.edits.get_or_init(|| Edits::of(symbols)).edits(definition);
+        edits.iter().filter_map(|number| symbols.occurrence(*number as usize))
     }
 
     /// The statement that makes something, and every one that edits it.

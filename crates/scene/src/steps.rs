@@ -94,6 +94,15 @@ enum Verb {
 }
 
 impl Steps {
+    /// None, with room for about so many.
+    #[must_use]
+    pub fn with_room(room: usize) -> Self {
+        Self {
+            list: Vec::with_capacity(room),
+            kept: Vec::new(),
+        }
+    }
+
     /// Adds a step.
     ///
     /// # Errors

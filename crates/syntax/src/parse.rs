@@ -1,5 +1,6 @@
 //! The parser: a line of tokens becomes a statement, or a broken line and its report.
 
+mod ahead;
 mod cursor;
 mod line;
 mod values;
@@ -8,6 +9,7 @@ use scenec_text::{Diagnostic, Severity, SourceFile, Span};
 
 use crate::token::{Scanner, Token, Word};
 use crate::{Broken, Content, Line, characters, number};
+pub use ahead::read_ahead;
 use line::LineParser;
 
 /// Reads a whole file; the lines and findings are those of [`Lines`].

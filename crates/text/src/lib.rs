@@ -4,6 +4,7 @@
 
 mod codes;
 mod diagnostic;
+mod line_index;
 mod repair;
 mod source;
 mod span;

@@ -1,5 +1,6 @@
 //! A source file in memory: valid UTF-8 whatever the bytes were, with a line index.
 
+use crate::line_index::LineIndex;
 use crate::{Code, Diagnostic, Span};
 
 /// The largest file that is read: spans count bytes in 32 bits.
@@ -13,8 +14,7 @@ const HOLE: u8 = 0x1A;
 pub struct SourceFile {
     name: String,
     text: String,
-    /// Offset of the first byte of each line; the first entry skips a byte-order mark.
-    lines: Vec<u32>,
+    lines: LineIndex,
     /// Runs of bytes that were not UTF-8, in order.
     holes: Vec<Span>,
 }
@@ -76,14 +76,7 @@ impl SourceFile {
         if bytes > MAX_FILE_BYTES {
             return Err(TooLarge { bytes });
         }
-        let first = if text.starts_with('\u{FEFF}') { 3 } else { 0 };
-        let mut lines = vec![first];
-        lines.extend(
-            text.bytes()
-                .zip(1_u32..)
-                .filter(|(byte, _)| *byte == b'\n')
-                .map(|(_, next)| next),
-        );
+        let lines = LineIndex::of(&text);
         Ok(Self {
             name,
             text,
@@ -107,14 +100,14 @@ impl SourceFile {
     /// How many lines there are; a text that ends in a line feed has an empty last one.
     #[must_use]
     pub fn line_count(&self) -> u32 {
-        u32::try_from(self.lines.len()).unwrap_or(u32::MAX)
+        self.lines.count()
     }
 
     /// The words of a line without its end (LF or CRLF) and without a byte-order mark; `None` past the last line.
     #[must_use]
     pub fn line_span(&self, line: u32) -> Option<Span> {
-        let start = *self.lines.get(line as usize)?;
-        let end = match self.lines.get(line as usize + 1) {
+        let start = self.start_of(line)?;
+        let end = match self.start_of(line + 1) {
             Some(next) => next - 1,
             None => u32::try_from(self.text.len()).unwrap_or(u32::MAX),
         };
@@ -126,16 +119,23 @@ impl SourceFile {
     /// The number of the line that an offset lies on, as in [`Position::line`], without counting what is before it there.
     #[must_use]
     pub fn line_of(&self, offset: u32) -> u32 {
-        let after = self.lines.partition_point(|start| *start <= offset);
-        u32::try_from(after.saturating_sub(1)).unwrap_or(u32::MAX)
+        self.lines.line_of(&self.text, offset)
+    }
+
+    /// Where a line begins, behind a byte-order mark.
+    fn start_of(&self, line: u32) -> Option<u32> {
+        match line {
+            0 if self.text.starts_with('\u{FEFF}') => Some(3),
+            _ => self.lines.start_of(&self.text, line),
+        }
     }
 
     /// Where an offset lies. One inside a character counts as that character's start, one past the end as the end,
     /// one in a byte-order mark as the start of the first line.
     #[must_use]
     pub fn position(&self, offset: u32) -> Position {
-        let line = self.lines.partition_point(|start| *start <= offset).saturating_sub(1);
-        let start = self.lines.get(line).copied().unwrap_or_default() as usize;
+        let line = self.line_of(offset);
+        let start = self.start_of(line).unwrap_or_default() as usize;
         let mut end = (offset as usize).clamp(start, self.text.len().max(start));
         while !self.text.is_char_boundary(end) {
             end -= 1;
@@ -143,7 +143,7 @@ impl SourceFile {
         let before = self.text.get(start..end).unwrap_or_default();
         let count = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
         Position {
-            line: count(line),
+            line,
             utf8: count(before.len()),
             utf16: count(before.chars().map(char::len_utf16).sum()),
             chars: count(before.chars().count()),

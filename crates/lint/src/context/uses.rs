@@ -2,25 +2,18 @@
 
 use scenec_interpret::{DefinitionId, Role, SymbolId, SymbolTable};
 
-/// Counts for every definition of a file.
+/// How often every definition of a file is read.
 pub(super) struct Uses {
     reads: Vec<u32>,
     /// The last definition of each symbol.
     last: Vec<Option<DefinitionId>>,
     /// Whether any definition of a symbol is read.
     ever: Vec<bool>,
-    /// The edits of definition `i` are `edits[starts[i]..starts[i + 1]]`.
-    starts: Vec<u32>,
-    /// Numbers of occurrences.
-    edits: Vec<u32>,
 }
 
 impl Uses {
-    /// Two passes over the occurrences: one counts, one sorts the edits by what they edit.
     pub(super) fn of(symbols: &SymbolTable) -> Self {
-        let count = symbols.definitions().len();
-        let mut reads = vec![0_u32; count];
-        let mut starts = vec![0_u32; count + 1];
+        let mut reads = vec![0_u32; symbols.definitions().len()];
         let mut ever = vec![false; symbols.symbols().len()];
         let mut last = vec![None; symbols.symbols().len()];
         for (id, definition) in symbols.numbered_definitions() {
@@ -28,45 +21,18 @@ impl Uses {
                 *last = Some(id);
             }
         }
-        for place in symbols.occurrences() {
+        for place in symbols.occurrences().filter(|place| place.role == Role::Use) {
             let Some(index) = place.definition.map(DefinitionId::index) else {
                 continue;
             };
-            if let (Role::Use, Some(ever)) = (place.role, ever.get_mut(place.symbol.0 as usize)) {
+            if let Some(ever) = ever.get_mut(place.symbol.0 as usize) {
                 *ever = true;
             }
-            let counter = match place.role {
-                Role::Define => None,
-                Role::Use => reads.get_mut(index),
-                Role::Edit => starts.get_mut(index + 1),
-            };
-            if let Some(counter) = counter {
-                *counter += 1;
+            if let Some(count) = reads.get_mut(index) {
+                *count += 1;
             }
         }
-        let mut total = 0;
-        for start in &mut starts {
-            total += *start;
-            *start = total;
-        }
-        let mut next = starts.clone();
-        let mut edits = vec![0; total as usize];
-        for (number, place) in (0..).zip(symbols.occurrences()) {
-            if place.role == Role::Edit
-                && let Some(next) = place.definition.and_then(|id| next.get_mut(id.index()))
-                && let Some(edit) = edits.get_mut(*next as usize)
-            {
-                *edit = number;
-                *next += 1;
-            }
-        }
-        Self {
-            reads,
-            last,
-            ever,
-            starts,
-            edits,
-        }
+        Self { reads, last, ever }
     }
 
     pub(super) fn last(&self) -> impl Iterator<Item = DefinitionId> {
@@ -80,10 +46,51 @@ impl Uses {
     pub(super) fn read(&self, definition: DefinitionId) -> u32 {
         self.reads.get(definition.index()).copied().unwrap_or_default()
     }
+}
+
+/// Where every definition of a file is edited; only findings ask for that.
+pub(super) struct Edits {
+    /// The edits of definition `i` are `list[starts[i]..starts[i + 1]]`.
+    starts: Vec<u32>,
+    /// Numbers of occurrences.
+    list: Vec<u32>,
+}
+
+impl Edits {
+    /// Two passes over the occurrences: one counts the edits, one sorts them by what they edit.
+    pub(super) fn of(symbols: &SymbolTable) -> Self {
+        let edits = || {
+            let numbered = (0..).zip(symbols.occurrences());
+            let edits = numbered.filter(|(_, place)| place.role == Role::Edit);
+            edits.filter_map(|(number, place)| Some((number, place.definition?.index())))
+        };
+        let mut starts = vec![0_u32; symbols.definitions().len() + 1];
+        for (_, index) in edits() {
+            if let Some(count) = starts.get_mut(index + 1) {
+                *count += 1;
+            }
+        }
+        let mut total = 0;
+        for start in &mut starts {
+            total += *start;
+            *start = total;
+        }
+        let mut next = starts.clone();
+        let mut list = vec![0; total as usize];
+        for (number, index) in edits() {
+            if let Some(next) = next.get_mut(index)
+                && let Some(edit) = list.get_mut(*next as usize)
+            {
+                *edit = number;
+                *next += 1;
+            }
+        }
+        Self { starts, list }
+    }
 
     pub(super) fn edits(&self, definition: DefinitionId) -> &[u32] {
         let bound = |index: usize| self.starts.get(index).map_or(0, |start| *start as usize);
         let index = definition.index();
-        self.edits.get(bound(index)..bound(index + 1)).unwrap_or_default()
+        self.list.get(bound(index)..bound(index + 1)).unwrap_or_default()
     }
 }

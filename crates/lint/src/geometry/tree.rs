@@ -122,7 +122,7 @@ impl Tree {
 }
 
 /// The boxes in the order of their middles along Morton's curve.
-fn sorted(boxes: Vec<(u32, Bounds)>) -> Vec<(u32, Bounds)> {
+fn sorted(mut boxes: Vec<(u32, Bounds)>) -> Vec<(u32, Bounds)> {
     let middle = |bounds: &Bounds, i: usize| f64::from(bounds.low[i]) + f64::from(bounds.high[i]);
     let ends: [(f64, f64); 3] = std::array::from_fn(|i| {
         let middles = boxes.iter().map(|(_, bounds)| middle(bounds, i));
@@ -140,15 +140,8 @@ fn sorted(boxes: Vec<(u32, Bounds)>) -> Vec<(u32, Bounds)> {
     };
     // The bits of singles that are not negative are in the order of their values.
     let small = |bounds: &Bounds| u32::MAX - bounds.size().to_bits();
-    let mut order: Vec<_> = (0..)
-        .zip(&boxes)
-        .map(|(at, (_, one))| (code(one), small(one), at))
-        .collect();
-    order.sort_unstable();
-    order
-        .iter()
-        .filter_map(|(_, _, at): &(u64, u32, u32)| boxes.get(*at as usize).copied())
-        .collect()
+    boxes.sort_by_cached_key(|(_, one)| (code(one), small(one)));
+    boxes
 }
 
 /// The 21 lowest bits, two apart.
