@@ -1,7 +1,7 @@
 //! Between the text and the solids of the scene: what the cursor is on, and what a pixel shows.
 
 use scenec_interpret::Role;
-use scenec_scene::{Scene, SolidId, SolidKind, StepId};
+use scenec_scene::{Scene, SolidId, SolidKind};
 use scenec_syntax::{Space, Statement};
 use scenec_text::Span;
 
@@ -117,13 +117,12 @@ impl<'a> Shown<'a> {
     fn moved_by(&self, line: Span) -> Option<SolidId> {
         let steps = &self.scene.steps;
         let step = steps.iter().position(|step| step.span == line)?;
-        let step = StepId(u32::try_from(step).ok()?);
         // Which steps come after this one on the same object: each names one before it.
         let mut after = vec![false; steps.len()];
-        for (index, other) in steps.iter().enumerate().skip(step.index()) {
+        for (index, other) in steps.iter().enumerate().skip(step) {
             let follows = other.previous.and_then(|before| after.get(before.index()).copied());
             if let Some(place) = after.get_mut(index) {
-                *place = index == step.index() || follows == Some(true);
+                *place = index == step || follows == Some(true);
             }
         }
         self.best(|solid| match &solid.kind {

@@ -123,7 +123,7 @@ pub fn tokens(document: &Document, span: Span) -> Vec<Token> {
     let last = source.line_span(source.line_of(span.end)).unwrap_or_default();
     let whole = Span::new(first.start, last.end);
     let lines = document.lines();
-    let places = document.interpretation().symbols.occurrences();
+    let places = document.occurrences();
     let mut painter = Painter {
         document,
         lines: lines

@@ -39,7 +39,7 @@ fn seen(scene: &Scene) -> HashMap<Span, Seen> {
                 let seen = seen.entry(solid.span).or_default();
                 seen.bare |= bare;
                 seen.painted |= painted;
-                seen.last.get_or_insert((leaf.transform, leaf.material));
+                seen.last.get_or_insert((scene.transform(leaf), leaf.material));
             }
         }
     }
