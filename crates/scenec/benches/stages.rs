@@ -7,11 +7,11 @@ use std::fmt::Write;
 use divan::Bencher;
 use divan::counter::BytesCount;
 use scenec_interpret::interpret;
-use scenec_syntax::{FormatStyle, format, parse};
+use scenec_syntax::{FormatStyle, Lines, format, parse, scan};
 use scenec_text::SourceFile;
 
 /// Sizes of the scenes in bytes; a larger one is slightly longer than it says.
-const SIZES: [usize; 3] = [1_000, 1_000_000, 20_000_000];
+const SIZES: [usize; 3] = [1_000, 1_000_000, 100_000_000];
 
 fn main() {
     divan::main();
@@ -52,6 +52,16 @@ fn line_index(bencher: Bencher, size: usize) {
     measure(bencher, &source, |source| {
         SourceFile::from_bytes("generated", source.text().as_bytes().to_vec()).unwrap()
     });
+}
+
+#[divan::bench(args = SIZES, sample_size = 1, sample_count = 10)]
+fn lexer(bencher: Bencher, size: usize) {
+    measure(bencher, &scene(size), |source| scan(source.text()).count());
+}
+
+#[divan::bench(args = SIZES, sample_size = 1, sample_count = 10)]
+fn lines_one_by_one(bencher: Bencher, size: usize) {
+    measure(bencher, &scene(size), |source| Lines::new(source).count());
 }
 
 #[divan::bench(args = SIZES, sample_size = 1, sample_count = 10)]
