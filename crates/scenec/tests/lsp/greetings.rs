@@ -65,3 +65,43 @@ fn visual_studio_code_asks_for_findings() {
     assert_eq!(offered["diagnosticProvider"]["interFileDependencies"], false);
     insta::assert_snapshot!(serde_json::to_string_pretty(&offered).unwrap());
 }
+
+/// Whether lenses are shown.
+fn lenses(client: &mut Client) -> bool {
+    let uri = "file:///a.scene";
+    client.open(uri, "!s := sphere\n!s <=\n");
+    let found = client
+        .request("textDocument/codeLens", json!({"textDocument": {"uri": uri}}))
+        .unwrap();
+    !found.as_array().unwrap().is_empty()
+}
+
+#[test]
+fn settings_come_with_the_greeting_by_notification_and_as_an_answer() {
+    let mut client = Client::new();
+    let capabilities = json!({
+        "workspace": {"configuration": true, "codeLens": {"refreshSupport": true}},
+        "experimental": {"scenec": {"commands": true}},
+    });
+    client.greet(json!({"capabilities": capabilities, "initializationOptions": {"lens": false, "ball": "yes"}}));
+    assert!(!lenses(&mut client));
+    let question = client.question("workspace/configuration");
+    assert_eq!(question["params"]["items"][0]["section"], "scenec");
+    client.reply(&question, json!([{"lens": true}]));
+    let refresh = client.question("workspace/codeLens/refresh");
+    assert!(lenses(&mut client));
+    client.notify(
+        "workspace/didChangeConfiguration",
+        json!({"settings": {"scenec": {"lens": false}}}),
+    );
+    assert!(!lenses(&mut client));
+    client.notify("workspace/didChangeConfiguration", json!({"settings": null}));
+    let question = client.question("workspace/configuration");
+    client.reply(&refresh, json!(null));
+    client.reply(&question, json!([{}]));
+    // The answer to the first refresh came late; the second one is asked for all the same.
+    client.question("workspace/codeLens/refresh");
+    client.question("workspace/codeLens/refresh");
+    assert!(lenses(&mut client));
+    client.farewell();
+}
