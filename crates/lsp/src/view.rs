@@ -45,6 +45,15 @@ impl View {
         Range::new(start, self.position(span.end))
     }
 
+    /// How many columns a span takes that lies on one line.
+    pub(crate) fn width(&self, span: Span) -> u32 {
+        let encoding = self.abilities.encoding;
+        span.of(self.document.text())
+            .chars()
+            .map(|one| encoding.width(one))
+            .sum()
+    }
+
     /// A span in this document.
     pub(crate) fn location(&self, span: Span) -> Location {
         Location::new(self.url.clone(), self.range(span))

@@ -93,13 +93,12 @@ async fn renewed(server: &Server, url: &Url) -> Result<(Option<SemanticTokens>, 
 fn encoded(view: &View, tokens: &[Token]) -> Vec<SemanticToken> {
     let mut before = Position::default();
     let encode = |token: &Token| {
-        let place = view.range(token.span);
-        let start = place.start;
+        let start = view.position(token.span.start);
         let same_line = start.line == before.line;
         let encoded = SemanticToken {
             delta_line: start.line - before.line,
             delta_start: start.character - if same_line { before.character } else { 0 },
-            length: place.end.character.saturating_sub(start.character),
+            length: view.width(token.span),
             token_type: number(token.kind),
             token_modifiers_bitset: token.modifiers.bits(),
         };
