@@ -63,6 +63,18 @@ const ROOMS: &[Room] = &[
         &["ocl"],
     ),
     room(
+        "scenec-measure",
+        &[
+            "scenec-scene",
+            "scenec-plan",
+            "scenec-picture",
+            "scenec-reference",
+            "scenec-cpu",
+            "scenec-device",
+        ],
+        &["plotters"],
+    ),
+    room(
         "scenec-lsp",
         &[
             "scenec-text",
@@ -89,6 +101,7 @@ const ROOMS: &[Room] = &[
             "scenec-reference",
             "scenec-cpu",
             "scenec-device",
+            "scenec-measure",
         ],
         &[
             "ariadne",

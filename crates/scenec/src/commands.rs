@@ -1,5 +1,6 @@
 //! The subcommands: each is a set of arguments with a `run` that tells how the program ends.
 
+pub(crate) mod bench;
 pub(crate) mod check;
 pub(crate) mod compare;
 pub(crate) mod devices;

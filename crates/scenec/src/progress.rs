@@ -15,13 +15,23 @@ const INTERVAL: Duration = Duration::from_millis(100);
 /// Does the work while a bar on standard error follows the watch up to `pixels` more pixels. Without a terminal, or if
 /// it is not wanted, there is no bar; afterwards there is none in any case.
 pub(crate) fn shown<T>(watch: &Watch, pixels: u64, wanted: bool, work: impl FnOnce() -> T) -> T {
-    if !wanted || !io::stderr().is_terminal() {
+    if wanted {
+        counted(watch, pixels, "pixels", work)
+    } else {
+        work()
+    }
+}
+
+/// The same for a watch that counts something else, of which there are `number` to do.
+pub(crate) fn counted<T>(watch: &Watch, number: u64, unit: &'static str, work: impl FnOnce() -> T) -> T {
+    if !io::stderr().is_terminal() {
         return work();
     }
     let pace = Pace {
         begin: Instant::now(),
         before: watch.done(),
-        pixels,
+        number,
+        unit,
     };
     let (working, done) = mpsc::channel::<()>();
     thread::scope(|scope| {
@@ -39,18 +49,18 @@ fn follow(watch: &Watch, pace: &Pace, done: &Receiver<()>) {
     if !waiting(PATIENCE) {
         return;
     }
-    let bar = ProgressBar::with_draw_target(Some(pace.pixels), ProgressDrawTarget::stderr());
+    let bar = ProgressBar::with_draw_target(Some(pace.number), ProgressDrawTarget::stderr());
     if let Ok(style) = ProgressStyle::with_template("{bar:32} {percent:>3}%  {msg}") {
         bar.set_style(style);
     }
     loop {
-        let traced = watch.done().saturating_sub(pace.before);
+        let finished = watch.done().saturating_sub(pace.before);
         bar.set_message(if watch.stopped() {
             "stopping".to_owned()
         } else {
-            pace.words(traced, pace.begin.elapsed())
+            pace.words(finished, pace.begin.elapsed())
         });
-        bar.set_position(traced.min(pace.pixels));
+        bar.set_position(finished.min(pace.number));
         bar.tick();
         if !waiting(INTERVAL) {
             break;
@@ -63,18 +73,19 @@ struct Pace {
     begin: Instant,
     /// What the watch had counted before.
     before: u64,
-    pixels: u64,
+    number: u64,
+    unit: &'static str,
 }
 
 impl Pace {
     /// Speed and the time left, from the mean so far.
-    fn words(&self, traced: u64, elapsed: Duration) -> String {
-        let speed = traced as f64 / elapsed.as_secs_f64().max(1e-9);
-        if traced == 0 {
+    fn words(&self, finished: u64, elapsed: Duration) -> String {
+        let speed = finished as f64 / elapsed.as_secs_f64().max(1e-9);
+        if finished == 0 {
             return "starting".to_owned();
         }
-        let left = self.pixels.saturating_sub(traced) as f64 / speed;
-        format!("{} pixels/s, {} left", count(speed), duration(left))
+        let left = self.number.saturating_sub(finished) as f64 / speed;
+        format!("{} {}/s, {} left", count(speed), self.unit, duration(left))
     }
 }
 
@@ -106,7 +117,8 @@ mod tests {
         let pace = Pace {
             begin: Instant::now(),
             before: 0,
-            pixels: 4_000_000,
+            number: 4_000_000,
+            unit: "pixels",
         };
         assert_eq!(pace.words(traced, Duration::from_secs(seconds)), expect);
     }

@@ -1,0 +1,29 @@
+//! Error against run time: what a picture costs at each setting, how wrong it is, and how wrong it says it may be.
+//!
+//! Each scene is traced at a ladder of settings and held against a reference that another tracer made in f64 at many
+//! samples. What comes of it is a table, a page and a diagram of work and precision. This must not know how scenes are
+//! written, nor terminals: it takes a scene and gives back texts and pictures.
+
+mod bound;
+mod csv;
+mod diagram;
+mod discrepancy;
+mod effort;
+mod ladder;
+mod page;
+mod pareto;
+mod run;
+mod setting;
+mod timing;
+mod trial;
+mod truth;
+
+pub use bound::Bound;
+pub use csv::csv;
+pub use diagram::{png, svg};
+pub use effort::Effort;
+pub use page::page;
+pub use run::{Bench, Process, Report, Row, Start};
+pub use setting::{Machine, Setting};
+pub use timing::Times;
+pub use truth::Truth;

@@ -1,0 +1,78 @@
+//! What a picture is traced with.
+
+use scenec_device::{DeviceInfo, Precision};
+use scenec_picture::Limits;
+use scenec_scene::Scene;
+
+/// What computes.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Machine {
+    /// The built-in tracer.
+    Cpu,
+    /// An OpenCL device, with a program made for the scene, or with one that serves any scene.
+    OpenCl {
+        /// Which.
+        device: DeviceInfo,
+        /// Whether the program serves any scene.
+        general: bool,
+    },
+}
+
+impl Machine {
+    /// One word or three.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Cpu => "cpu",
+            Self::OpenCl { general: false, .. } => "opencl",
+            Self::OpenCl { general: true, .. } => "opencl general",
+        }
+    }
+}
+
+/// What a picture is traced with.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Setting {
+    /// What computes.
+    pub machine: Machine,
+    /// In which numbers.
+    pub precision: Precision,
+    /// Samples per pixel.
+    pub samples: u32,
+    /// The most reflections and refractions of one path.
+    pub raydepth: u32,
+    /// Where branches are dropped.
+    pub cutoff: f64,
+}
+
+impl Setting {
+    /// The scene as this setting has it traced.
+    pub(crate) fn scene(&self, scene: &Scene) -> Scene {
+        let mut scene = scene.clone();
+        (scene.settings.samples, scene.settings.raydepth) = (self.samples, self.raydepth);
+        scene
+    }
+
+    pub(crate) fn limits(&self) -> Limits {
+        Limits {
+            cutoff: self.cutoff,
+            ..Limits::DEFAULT
+        }
+    }
+
+    /// How much one rounding changes a number, relative to it.
+    pub(crate) fn roundoff(&self) -> f64 {
+        match self.precision {
+            Precision::F32 => f64::from(f32::EPSILON) / 2.0,
+            Precision::F64 => f64::EPSILON / 2.0,
+        }
+    }
+
+    /// The same with other samples.
+    pub(crate) fn with_samples(&self, samples: u32) -> Self {
+        Self {
+            samples,
+            ..self.clone()
+        }
+    }
+}

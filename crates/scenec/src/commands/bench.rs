@@ -1,0 +1,181 @@
+//! `scenec bench`
+
+mod cache;
+mod outputs;
+mod process;
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use scenec_device::{DeviceInfo, discover, is_opencl, select};
+use scenec_measure::{Bench, Effort, Report};
+use scenec_picture::Watch;
+use scenec_scene::Scene;
+
+use crate::exit::Exit;
+use crate::failure::Failure;
+use crate::report::{self, Style, plural};
+use crate::{interrupt, progress, scenes, values};
+use outputs::Outputs;
+use process::Renders;
+
+/// Measure error against run time
+///
+/// Each scene is rendered at a ladder of settings: samples, precisions, cut-offs and ray depths, on the built-in tracer
+/// and on an OpenCL device. Each picture is held against a reference of many samples that the slow tracer makes in
+/// double precision, and against the bound that it gives on its own error. Pictures are small unless --size is given:
+/// what counts is the cost of a ray and the size of an error, and the reference is slow.
+#[derive(Args, Debug)]
+#[command(after_help = AFTER_HELP)]
+pub(crate) struct BenchOptions {
+    /// The scene files
+    #[arg(value_name = "SCENE", required = true)]
+    scenes: Vec<PathBuf>,
+    /// The folder to write report.csv, report.md and the diagrams wp.svg and wp.png into
+    #[arg(short, long, value_name = "DIR")]
+    output: PathBuf,
+    /// Take about a minute for a small scene, with fewer pixels, samples and repetitions
+    #[arg(long, conflicts_with = "full")]
+    quick: bool,
+    /// Take the time for figures that are to be kept; this is the default
+    #[arg(long)]
+    full: bool,
+    /// Columns and rows, instead of the file's made smaller
+    #[arg(long, value_name = "WxH", value_parser = values::size)]
+    size: Option<(u32, u32)>,
+    /// The OpenCL device to try too: `none`, `opencl`, `opencl:INDEX` or `opencl:NAME`; the best there is unless given
+    #[arg(long, value_name = "DEVICE", value_parser = device)]
+    device: Option<String>,
+    /// Where references are kept from one run to the next; the user's cache folder unless given
+    #[arg(long, value_name = "DIR")]
+    cache: Option<PathBuf>,
+    /// Write a picture of the differences from the reference for each row as well
+    #[arg(long)]
+    heat: bool,
+    #[command(flatten)]
+    style: Style,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  scenec bench seed.scene -o bench --quick
+  scenec bench scenes/glass.scene scenes/mirrors.scene -o bench --size 120x80 --device none
+
+Exit codes:
+  0    everything is written, and no picture is more wrong than its bound
+  1    a picture is more wrong than its bound, or a scene file has errors
+  2    the arguments, a file or the folder can't be used
+  3    the device that was asked for is not there
+  130  stopped by Ctrl-C; nothing is written then";
+
+fn device(text: &str) -> Result<String, String> {
+    if text == "none" || is_opencl(text) {
+        return Ok(text.to_owned());
+    }
+    Err("a device is none, opencl, opencl:INDEX or opencl:NAME".to_owned())
+}
+
+impl BenchOptions {
+    pub(crate) fn run(&self) -> Exit {
+        match self.bench() {
+            Ok(exit) => exit,
+            Err(failure) => {
+                // With standard error gone there is nobody left to tell.
+                failure.tell(&mut io::stderr().lock()).unwrap_or_default();
+                failure.exit()
+            }
+        }
+    }
+
+    fn bench(&self) -> Result<Exit, Failure> {
+        let outputs = Outputs::at(&self.output)?;
+        let device = self.device()?;
+        let mut scenes = Vec::new();
+        for path in &self.scenes {
+            if path.as_os_str() == "-" {
+                return Err(Failure::unusable(
+                    "a bench needs files: it renders them again and again",
+                ));
+            }
+            scenes.push((path, self.sized(scenes::open(path, true, &self.style, |_| ())?)));
+        }
+        let mut reports = Vec::new();
+        for (path, scene) in scenes {
+            let report = self.one(path, &scene, device)?;
+            tell(path, &report);
+            reports.push((path.display().to_string(), report));
+        }
+        let names = outputs.write(&reports, self.heat)?;
+        remark(&format!("wrote {}", names.join(", ")));
+        let defects: usize = reports.iter().map(|(_, report)| report.defects().count()).sum();
+        Ok(if defects > 0 { Exit::Errors } else { Exit::Clean })
+    }
+
+    const fn effort(&self) -> Effort {
+        if self.quick { Effort::QUICK } else { Effort::FULL }
+    }
+
+    fn sized(&self, mut scene: Scene) -> Scene {
+        let Some((width, height)) = self.size else {
+            return self.effort().shrunk(scene);
+        };
+        (scene.settings.width, scene.settings.height) = (width, height);
+        scene
+    }
+
+    /// The one that was asked for, or else the best there is, if there is one.
+    fn device(&self) -> Result<Option<&'static DeviceInfo>, Failure> {
+        match self.device.as_deref() {
+            None => Ok(select("opencl", discover()).ok()),
+            Some("none") => Ok(None),
+            Some(request) => Ok(Some(select(request, discover())?)),
+        }
+    }
+
+    fn one(&self, path: &Path, scene: &Scene, device: Option<&'static DeviceInfo>) -> Result<Report, Failure> {
+        let watch = interrupt::watch();
+        let counter = Watch::new();
+        let bench = Bench {
+            scene,
+            effort: self.effort(),
+            device,
+            shelf: self.cache.clone().or_else(cache::folder),
+            salt: cache::salt(),
+            watch,
+            counter: &counter,
+        };
+        let size = (scene.settings.width, scene.settings.height);
+        let mut renders = Renders::of(path, size, watch)?;
+        let work = || bench.run(&mut |setting, start| renders.run(setting, start));
+        Ok(progress::counted(&counter, bench.work(), "samples", work)?)
+    }
+}
+
+/// What is found in a few lines, as soon as it is.
+fn tell(path: &Path, report: &Report) {
+    let name = path.display();
+    remark(&format!(
+        "{name}: {} x {}, {}, reference of {} samples{}, its own error about {:.1e}, drift of this machine {:.0} %",
+        report.truth.width,
+        report.truth.height,
+        plural(report.rows.len(), "row"),
+        report.truth.samples,
+        if report.truth.kept { " (kept)" } else { "" },
+        report.truth.own_rms,
+        report.drift * 100.0
+    ));
+    for note in &report.notes {
+        remark(&format!("{name}: not tried: {note}"));
+    }
+    for row in report.defects() {
+        remark(&format!(
+            "{name}: defect: {}, {}: off by {:.3e}, though its bound is {:.3e}",
+            row.family, row.knob, row.figures.max_abs, row.bound.max
+        ));
+    }
+}
+
+fn remark(message: &str) {
+    report::remark(&mut io::stderr().lock(), message).unwrap_or_default();
+}
