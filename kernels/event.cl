@@ -1,6 +1,7 @@
 /* Where a ray crosses the surface of one island: the next distance at which the island's truth changes. */
 
 #define OPERATION_SHIFT 29
+#define PROGRAM_DEPTH 26
 
 /* A crossing, or nothing if `leaf` is NOTHING. `leaving` tells of the leaf, not of the solid. */
 typedef struct {
@@ -61,50 +62,76 @@ bool holds_member(const Crossings *crossings, uint member, real distance) {
     return i.enter <= distance && distance < i.leave;
 }
 
-/* The island's truth at a distance with one member's truth turned over; no member has the number NOTHING. */
-bool truth(const Crossings *crossings, real distance, uint turned) {
+#if PROGRAMS
+/* A stack of truths after an operation on the two topmost. */
+uint joined(uint operation, uint bits) {
+    uint top = bits & 1, below = bits >> 1 & 1;
+    uint both = (operation & 3) == 1   ? below | top
+                : (operation & 3) == 2 ? below & top
+                : operation == 3       ? below & ~top
+                                       : top & ~below;
+    return bits >> 2 << 1 | (both & 1);
+}
+#endif
+
+/* Whether the island holds the ray at a distance. */
+bool holds(const Crossings *crossings, real distance) {
 #if PROGRAMS
     uint bits = 0;
     for (uint at = crossings->island->program; at < crossings->island->program_end; ++at) {
         uint instruction = crossings->scene->program[at];
         uint operation = instruction >> OPERATION_SHIFT;
-        if (operation == 0) {
-            bits = bits << 1 | (holds_member(crossings, instruction, distance) != (instruction == turned));
-        } else {
-            uint top = bits & 1, below = bits >> 1 & 1;
-            uint joined = operation == 1   ? below | top
-                          : operation == 2 ? below & top
-                          : operation == 3 ? below & ~top
-                                           : top & ~below;
-            bits = bits >> 2 << 1 | (joined & 1);
-        }
+        bits = operation == 0 ? bits << 1 | holds_member(crossings, instruction, distance) : joined(operation, bits);
     }
     return bits & 1;
 #else
-    return holds_member(crossings, 0, distance) != (turned == 0);
+    return holds_member(crossings, 0, distance);
 #endif
 }
 
-bool holds(const Crossings *crossings, real distance) { return truth(crossings, distance, NOTHING); }
+Hit member_hit(const Crossings *crossings, uint member, real distance) {
+    Hit hit;
+    hit.distance = distance;
+    hit.leaf = member_leaf(crossings, member);
+    hit.leaving = MEMBER(crossings, member).leave == distance;
+    return hit;
+}
 
-/* Of the members that end where the island changes, the leftmost whose change matters by itself; where none does, the
-   leftmost. */
-Hit owner(const Crossings *crossings, real distance, bool now) {
-    Hit found = no_hit();
-    for (uint member = 0; member < member_count(crossings); ++member) {
-        Interval i = MEMBER(crossings, member);
-        if (i.enter < i.leave && (i.enter == distance || i.leave == distance)) {
-            bool matters = truth(crossings, distance, member) != now;
-            if (matters || found.leaf == NOTHING) {
-                found.distance = distance;
-                found.leaf = member_leaf(crossings, member);
-                found.leaving = i.leave == distance;
-            }
-            if (matters)
-                break;
+/* The crossing of a distance where the island changes: of operands that change together, the left one owns it. */
+Hit owner(const Crossings *crossings, real distance) {
+#if PROGRAMS
+    uint before = 0, after = 0, depth = 0;
+    uint owners[PROGRAM_DEPTH];
+    for (uint at = crossings->island->program; at < crossings->island->program_end; ++at) {
+        uint instruction = crossings->scene->program[at];
+        uint operation = instruction >> OPERATION_SHIFT;
+        if (operation == 0) {
+            Interval i = MEMBER(crossings, instruction);
+            before = before << 1 | (i.enter < distance && distance <= i.leave);
+            after = after << 1 | (i.enter <= distance && distance < i.leave);
+            owners[depth++] = instruction;
+        } else {
+            uint changed = before ^ after;
+            bool takes_top = operation > 4 ? changed & 1 : !(changed & 2);
+            depth -= 1;
+            if (takes_top)
+                owners[depth - 1] = owners[depth];
+            before = joined(operation, before);
+            after = joined(operation, after);
         }
     }
-    return found;
+    return member_hit(crossings, owners[0], distance);
+#else
+    return member_hit(crossings, 0, distance);
+#endif
+}
+
+/* Whether a member has ends at all and another class than the ray's start. */
+bool counts(const Crossings *crossings, uint member) {
+    const Scene *scene = crossings->scene;
+    Interval i = MEMBER(crossings, member);
+    return i.enter < i.leave &&
+           scene->shapes[scene->leaves[member_leaf(crossings, member)].shape].class != crossings->ray->class;
 }
 
 /* A ray that is on the wrong side of the surface at its start, until `end`, starts within rounding of another surface than
@@ -112,21 +139,26 @@ Hit owner(const Crossings *crossings, real distance, bool now) {
 Hit crease(const Crossings *crossings, real from, real end) {
     real before = -(real)INFINITY;
     for (uint member = 0; member < member_count(crossings); ++member) {
-        const Scene *scene = crossings->scene;
         Interval i = MEMBER(crossings, member);
-        if (i.enter < i.leave &&
-            scene->shapes[scene->leaves[member_leaf(crossings, member)].shape].class != crossings->ray->class) {
-            if (i.enter <= from && i.enter > before)
-                before = i.enter;
-            if (i.leave <= from && i.leave > before)
-                before = i.leave;
-        }
+        if (!counts(crossings, member))
+            continue;
+        if (i.enter <= from && i.enter > before)
+            before = i.enter;
+        if (i.leave <= from && i.leave > before)
+            before = i.leave;
     }
     if (!(from - before < end - from))
         return no_hit();
-    Hit hit = owner(crossings, before, holds(crossings, before));
-    hit.distance = from;
-    return hit;
+    /* Of several that end there, the leftmost. */
+    for (uint member = 0; member < member_count(crossings); ++member) {
+        Interval i = MEMBER(crossings, member);
+        if (counts(crossings, member) && (i.enter == before || i.leave == before)) {
+            Hit hit = member_hit(crossings, member, before);
+            hit.distance = from;
+            return hit;
+        }
+    }
+    return no_hit();
 }
 
 /* The first change after `from` and not after `until`, of a ray that is inside (or not) to begin with. */
@@ -149,7 +181,7 @@ Hit change(const Crossings *crossings, real from, real until, bool inside) {
         at = next;
         bool now = holds(crossings, at);
         if (settled && now != inside)
-            return owner(crossings, at, now);
+            return owner(crossings, at);
         if (!settled && now == inside) {
             Hit hit = crease(crossings, from, at);
             if (hit.leaf != NOTHING)

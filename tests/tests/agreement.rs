@@ -14,7 +14,7 @@ use scenec_picture::{Frame, Limits, Tracer, Window};
 use scenec_plan::{Features, Plan, plan};
 use scenec_reference::Reference;
 use scenec_scene::Scene;
-use scenec_tests::{Mask, compare, device, frame, gallery, random_scene, scene};
+use scenec_tests::{Mask, aligned_scene, compare, device, frame, gallery, random_scene, scene};
 
 /// How far colours may be apart on calm pixels.
 const F64: f64 = 1e-9;
@@ -60,7 +60,14 @@ impl Judge {
 
     fn on_processor(&self) {
         self.check(&mut Cpu::<f64>::new(&self.plan, 1).unwrap(), F64);
-        self.check(&mut Cpu::<f32>::new(&self.plan, 1).unwrap(), F32);
+        if self.narrow() {
+            self.check(&mut Cpu::<f32>::new(&self.plan, 1).unwrap(), F32);
+        }
+    }
+
+    /// Whether single precision is what a render takes.
+    fn narrow(&self) -> bool {
+        self.plan.beyond_single().is_none()
     }
 
     fn on_device(&self, info: &DeviceInfo) {
@@ -70,7 +77,11 @@ impl Judge {
             self.check(&mut *tracer(info, &self.plan, precision, features).unwrap(), tolerance)
         };
         let pairs = [(Precision::F32, F32), (Precision::F64, F64)];
-        for (precision, tolerance) in pairs.into_iter().filter(|(p, _)| *p == Precision::F32 || info.has_f64) {
+        let possible = |precision| match precision {
+            Precision::F32 => self.narrow(),
+            Precision::F64 => info.has_f64,
+        };
+        for (precision, tolerance) in pairs.into_iter().filter(|(precision, _)| possible(*precision)) {
             let one = run(precision, &special, tolerance);
             let other = run(precision, &general, tolerance);
             // What a scene does not need may be left out, and nothing may show it.
@@ -116,25 +127,46 @@ fn the_gallery_on_a_device() {
     small_gallery().iter().for_each(|judge| judge.on_device(info));
 }
 
-#[test]
-fn random_trees_on_the_processor() {
+fn random(seed: u64) -> Judge {
+    Judge::new(&format!("seed {seed}"), scene("random", &random_scene(seed)))
+}
+
+/// Of objects that stand on a grid, as people place them.
+fn aligned(seed: u64) -> Judge {
+    Judge::new(&format!("aligned seed {seed}"), scene("aligned", &aligned_scene(seed)))
+}
+
+fn trees_on_the_processor(judge: fn(u64) -> Judge) {
     let mut compared = 0.0;
-    for seed in SEEDS {
-        let judge = Judge::new(&format!("seed {seed}"), scene("random", &random_scene(seed)));
+    for judge in SEEDS.map(judge) {
         judge.on_processor();
         compared += judge.mask.share() / SEEDS.end as f64;
     }
-    println!(
-        "{:.0} % of the pixels of random trees are away from every silhouette",
-        compared * 100.0
-    );
+    println!("{:.0} % of the pixels are away from every silhouette", compared * 100.0);
     assert!(compared > 0.4, "only {compared:.2} of all pixels are compared");
+}
+
+fn trees_on_a_device(judge: fn(u64) -> Judge) {
+    let Some(info) = device() else { return };
+    SEEDS.map(judge).for_each(|judge| judge.on_device(info));
+}
+
+#[test]
+fn random_trees_on_the_processor() {
+    trees_on_the_processor(random);
 }
 
 #[test]
 fn random_trees_on_a_device() {
-    let Some(info) = device() else { return };
-    for seed in SEEDS {
-        Judge::new(&format!("seed {seed}"), scene("random", &random_scene(seed))).on_device(info);
-    }
+    trees_on_a_device(random);
+}
+
+#[test]
+fn aligned_trees_on_the_processor() {
+    trees_on_the_processor(aligned);
+}
+
+#[test]
+fn aligned_trees_on_a_device() {
+    trees_on_a_device(aligned);
 }

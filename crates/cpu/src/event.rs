@@ -1,7 +1,7 @@
 //! Where a ray crosses the surface of one island: the next distance at which the island's truth changes.
 
 use scenec_plan::packed_structs::Island;
-use scenec_plan::{Instruction, Packed, Real, evaluate};
+use scenec_plan::{Instruction, Packed, Real, evaluate, owner};
 
 use crate::ray::Ray;
 use crate::shape::{Interval, interval};
@@ -114,13 +114,6 @@ impl<'a, R: Real> Crossings<'a, R> {
         }
     }
 
-    /// Whether the island holds the ray at `distance`: each member counts from its first distance up to, not including,
-    /// its last.
-    #[inline(always)]
-    fn holds(&self, distance: R) -> bool {
-        self.truth(distance, u32::MAX)
-    }
-
     /// The first change after `from` and not after `until`, of a ray that is inside (or not) to begin with.
     #[inline(always)]
     fn change(&self, from: R, until: R, inside: bool) -> Option<Hit<R>> {
@@ -144,7 +137,7 @@ impl<'a, R: Real> Crossings<'a, R> {
             at = next;
             let now = self.holds(at);
             if settled && now != inside {
-                return Some(self.owner(at, now));
+                return Some(self.owner(at));
             }
             if !settled && now == inside {
                 if let Some(hit) = self.crease(from, at) {
@@ -161,9 +154,8 @@ impl<'a, R: Real> Crossings<'a, R> {
     #[inline(always)]
     fn crease(&self, from: R, end: R) -> Option<Hit<R>> {
         let mut before = -R::INFINITY;
-        for (local, &(enter, leave)) in self.intervals.iter().enumerate() {
-            let leaf = self.scene.members[self.island.members as usize + local];
-            if enter < leave && class_of(self.scene, leaf) != self.class {
+        for (local, &(enter, leave)) in (0..).zip(self.intervals) {
+            if enter < leave && class_of(self.scene, self.leaf(local)) != self.class {
                 for distance in [enter, leave] {
                     if distance <= from && distance > before {
                         before = distance;
@@ -171,50 +163,64 @@ impl<'a, R: Real> Crossings<'a, R> {
                 }
             }
         }
-        (from - before < end - from).then(|| Hit {
-            distance: from,
-            ..self.owner(before, self.holds(before))
-        })
+        let stopped = from - before < end - from;
+        stopped
+            .then(|| self.leftmost(before))
+            .flatten()
+            .map(|hit| Hit { distance: from, ..hit })
     }
 
-    /// Of the members that change at a distance where the island does, the leftmost whose change matters by itself;
-    /// where none does (they change together), the leftmost.
+    /// The crossing of a distance where the island changes: of operands that change together, the left one owns it.
     #[inline(always)]
-    fn owner(&self, distance: R, now: bool) -> Hit<R> {
-        let mut found = None;
-        for (local, &(enter, leave)) in self.intervals.iter().enumerate() {
-            if enter < leave && (enter == distance || leave == distance) {
-                let leaf = self.scene.members[self.island.members as usize + local];
-                let hit = Hit {
-                    distance,
-                    leaf,
-                    leaving: leave == distance,
-                };
-                if found.is_none() {
-                    found = Some(hit);
-                }
-                if self.truth(distance, local as u32) != now {
-                    found = Some(hit);
-                    break;
-                }
-            }
-        }
-        // A change happens at some member's end, so one was found.
-        found.unwrap_or(Hit {
-            distance,
-            leaf: self.scene.members[self.island.members as usize],
-            leaving: false,
-        })
-    }
-
-    /// The island's truth at a distance with one member's truth turned over; no member has the number `u32::MAX`.
-    #[inline(always)]
-    fn truth(&self, distance: R, turned: u32) -> bool {
-        let holds = |local: u32| {
+    fn owner(&self, distance: R) -> Hit<R> {
+        let local = owner(self.program(), |local| {
             let (enter, leave) = self.intervals[local as usize];
-            (enter <= distance && distance < leave) != (local == turned)
-        };
-        let program = &self.scene.program[self.island.program as usize..self.island.program_end as usize];
-        evaluate(program.iter().map(|word| Instruction(*word)), holds)
+            (
+                enter < distance && distance <= leave,
+                enter <= distance && distance < leave,
+            )
+        });
+        self.hit(local, distance)
+    }
+
+    /// The leftmost member of another class than the ray's start that has an end at a distance.
+    #[inline(always)]
+    fn leftmost(&self, distance: R) -> Option<Hit<R>> {
+        let ends =
+            |(_, (enter, leave)): &(u32, &Interval<R>)| enter < leave && (*enter == distance || *leave == distance);
+        let mut ending = (0..).zip(self.intervals).filter(ends);
+        let other = ending.find(|(local, _)| class_of(self.scene, self.leaf(*local)) != self.class);
+        other.map(|(local, _)| self.hit(local, distance))
+    }
+
+    /// An end of a member.
+    #[inline(always)]
+    fn hit(&self, local: u32, distance: R) -> Hit<R> {
+        Hit {
+            distance,
+            leaf: self.leaf(local),
+            leaving: self.intervals[local as usize].1 == distance,
+        }
+    }
+
+    #[inline(always)]
+    fn leaf(&self, local: u32) -> u32 {
+        self.scene.members[(self.island.members + local) as usize]
+    }
+
+    #[inline(always)]
+    fn program(&self) -> impl Iterator<Item = Instruction> + '_ {
+        let words = &self.scene.program[self.island.program as usize..self.island.program_end as usize];
+        words.iter().map(|word| Instruction(*word))
+    }
+
+    /// Whether the island holds the ray at `distance`: each member counts from its first distance up to, not including,
+    /// its last.
+    #[inline(always)]
+    fn holds(&self, distance: R) -> bool {
+        evaluate(self.program(), |local| {
+            let (enter, leave) = self.intervals[local as usize];
+            enter <= distance && distance < leave
+        })
     }
 }

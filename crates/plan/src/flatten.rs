@@ -89,7 +89,7 @@ pub(crate) fn flatten(scene: &Scene, facts: &[NodeFacts]) -> Result<Flat, PlanEr
 #[derive(Default)]
 struct Interned {
     materials: HashMap<MaterialId, u32>,
-    leaves: HashMap<(u32, u32), u32>,
+    leaves: HashMap<(SolidId, MaterialId), u32>,
 }
 
 struct Work<'a> {
@@ -101,25 +101,28 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// The number of a leaf; its surface and material make it, its first appearance names it.
+    /// The number of a leaf; the solid and its material make it.
     fn leaf(&mut self, id: SolidId, paint: Option<MaterialId>) -> Option<u32> {
         let SolidKind::Leaf(leaf) = &self.scene.solid(id).kind else {
             return None;
         };
-        let shape = self.shapes.intern(leaf.base, &self.scene.transform(leaf));
         let named = paint.unwrap_or(leaf.material);
+        if let Some(known) = self.interned.leaves.get(&(id, named)) {
+            return Some(*known);
+        }
+        let shape = self.shapes.intern(leaf.base, &self.scene.transform(leaf));
         let material = *self.interned.materials.entry(named).or_insert_with(|| {
             self.flat.materials.push(named);
             self.flat.materials.len() as u32 - 1
         });
-        Some(*self.interned.leaves.entry((shape, material)).or_insert_with(|| {
-            self.flat.leaves.push(Leaf {
-                shape,
-                material,
-                solid: id.0,
-            });
-            self.flat.leaves.len() as u32 - 1
-        }))
+        let number = self.flat.leaves.len() as u32;
+        self.flat.leaves.push(Leaf {
+            shape,
+            material,
+            solid: id.0,
+        });
+        self.interned.leaves.insert((id, named), number);
+        Some(number)
     }
 
     /// A leaf of the root's unions. A second one with the same surface can't be seen: the left one owns it.
@@ -212,12 +215,12 @@ impl Work<'_> {
                 Step::Both(op, left, right) => {
                     let swapped = self.facts[right.index()].height > self.facts[left.index()].height;
                     let (first, second) = if swapped { (right, left) } else { (left, right) };
-                    open.push(Task::Emit(match (op, swapped) {
-                        (Op::Union, _) => Instruction::UNION,
-                        (Op::Intersection, _) => Instruction::INTERSECTION,
-                        (Op::Subtraction, false) => Instruction::SUBTRACTION,
-                        (Op::Subtraction, true) => Instruction::SUBTRACTION_SWAPPED,
-                    }));
+                    let operation = match op {
+                        Op::Union => Instruction::UNION,
+                        Op::Intersection => Instruction::INTERSECTION,
+                        Op::Subtraction => Instruction::SUBTRACTION,
+                    };
+                    open.push(Task::Emit(if swapped { operation.swapped() } else { operation }));
                     open.push(Task::Visit((second, paint)));
                     open.push(Task::Visit((first, paint)));
                 }

@@ -25,7 +25,7 @@ pub use features::Features;
 pub use frame::{Lamp, Touch, View};
 pub use packed::{Field, FieldKind, LAYOUTS, Layout, Packed, packed_structs};
 pub use precision::BeyondSingle;
-pub use program::{Instruction, OPERATION_SHIFT, evaluate};
+pub use program::{Instruction, OPERATION_SHIFT, PROGRAM_DEPTH, evaluate, owner};
 pub use real::{Real, in_singles};
 pub use shapes::{Shape, ShapeKind};
 pub use standpoint::{Foothold, Standpoint};

@@ -3,6 +3,12 @@
 /// Where an instruction keeps its operation; the bits below are its operand.
 pub const OPERATION_SHIFT: u32 = 29;
 
+/// The bit of an operation that says that its right operand was evaluated first, so that the left one is on top.
+const SWAPPED: u32 = 4;
+
+/// The most truths that wait while a program runs; see [`evaluate`].
+pub const PROGRAM_DEPTH: usize = 26;
+
 /// One step of a program: push whether the point lies in a member, or combine the two topmost truths.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[repr(transparent)]
@@ -15,8 +21,12 @@ impl Instruction {
     pub const INTERSECTION: Self = Self(2 << OPERATION_SHIFT);
     /// below and not top.
     pub const SUBTRACTION: Self = Self(3 << OPERATION_SHIFT);
-    /// top and not below: a subtraction whose right operand was evaluated first.
-    pub const SUBTRACTION_SWAPPED: Self = Self(4 << OPERATION_SHIFT);
+
+    /// The same operation where its right operand was evaluated first: top and below change places.
+    #[must_use]
+    pub const fn swapped(self) -> Self {
+        Self(self.0 | SWAPPED << OPERATION_SHIFT)
+    }
 
     /// Push whether the point lies in the member with this number, counted within the island.
     #[must_use]
@@ -43,24 +53,65 @@ pub fn evaluate(program: impl IntoIterator<Item = Instruction>, mut holds: impl 
     for instruction in program {
         match instruction.0 >> OPERATION_SHIFT {
             0 => bits = bits << 1 | u32::from(holds(instruction.0)),
-            operation => {
-                let (top, below) = (bits & 1, bits >> 1 & 1);
-                let truth = match operation {
-                    1 => below | top,
-                    2 => below & top,
-                    3 => below & !top,
-                    _ => top & !below,
-                };
-                bits = bits >> 2 << 1 | truth & 1;
-            }
+            operation => bits = joined(operation, bits),
         }
     }
     bits & 1 == 1
 }
 
+/// A stack of truths after an operation on the two topmost.
+#[inline(always)]
+const fn joined(operation: u32, bits: u32) -> u32 {
+    let (top, below) = (bits & 1, bits >> 1 & 1);
+    let truth = match operation {
+        1 | 5 => below | top,
+        2 | 6 => below & top,
+        3 => below & !top,
+        _ => top & !below,
+    };
+    bits >> 2 << 1 | truth & 1
+}
+
+/// The member to which a change of the whole belongs, where members change from what they were `before` to what they are
+/// after: of two operands that change, the left one's. `changes` gives both truths of a member. The number is of no
+/// meaning if the whole does not change.
+#[inline(always)]
+pub fn owner(program: impl IntoIterator<Item = Instruction>, mut changes: impl FnMut(u32) -> (bool, bool)) -> u32 {
+    let (mut before, mut after) = (0_u32, 0_u32);
+    let mut owners = [0_u32; PROGRAM_DEPTH];
+    let mut depth = 0;
+    for instruction in program {
+        match instruction.0 >> OPERATION_SHIFT {
+            0 => {
+                let (was, is) = changes(instruction.0);
+                before = before << 1 | u32::from(was);
+                after = after << 1 | u32::from(is);
+                owners[depth] = instruction.0;
+                depth += 1;
+            }
+            operation => {
+                let changed = before ^ after;
+                let top_is_left = operation & SWAPPED != 0;
+                let takes_top = if top_is_left {
+                    changed & 1 == 1
+                } else {
+                    changed & 2 == 0
+                };
+                depth -= 1;
+                if takes_top {
+                    owners[depth - 1] = owners[depth];
+                }
+                before = joined(operation, before);
+                after = joined(operation, after);
+            }
+        }
+    }
+    owners[0]
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Instruction, evaluate};
+    use super::{Instruction, evaluate, owner};
 
     fn check(program: &[Instruction], members: &[bool], expect: bool) {
         assert_eq!(
@@ -77,12 +128,38 @@ mod tests {
             check(&[a, b, Instruction::UNION], &[x, y], x || y);
             check(&[a, b, Instruction::INTERSECTION], &[x, y], x && y);
             check(&[a, b, Instruction::SUBTRACTION], &[x, y], x && !y);
-            check(&[b, a, Instruction::SUBTRACTION_SWAPPED], &[x, y], x && !y);
+            check(&[b, a, Instruction::UNION.swapped()], &[x, y], x || y);
+            check(&[b, a, Instruction::INTERSECTION.swapped()], &[x, y], x && y);
+            check(&[b, a, Instruction::SUBTRACTION.swapped()], &[x, y], x && !y);
             check(
                 &[a, b, Instruction::UNION, a, Instruction::SUBTRACTION],
                 &[x, y],
                 !x && y,
             );
         }
+    }
+
+    #[test]
+    fn of_operands_that_change_together_the_left_one_owns() {
+        let [a, b, c] = [0, 1, 2].map(Instruction::member);
+        let rises = (false, true);
+        let falls = (true, false);
+        let stays = (true, true);
+        let absent = (false, false);
+        let check = |program: &[Instruction], changes: &[(bool, bool)], expect: u32| {
+            let found = owner(program.iter().copied(), |local| changes[local as usize]);
+            assert_eq!(found, expect, "{program:?} {changes:?}");
+        };
+        check(&[a, b, Instruction::UNION], &[rises, rises], 0);
+        check(&[a, b, Instruction::UNION], &[absent, rises], 1);
+        check(&[b, a, Instruction::UNION.swapped()], &[rises, rises], 0);
+        check(&[b, a, Instruction::UNION.swapped()], &[absent, rises], 1);
+        check(&[a, b, Instruction::SUBTRACTION], &[rises, falls], 0);
+        check(&[a, b, Instruction::SUBTRACTION], &[stays, falls], 1);
+        check(&[b, a, Instruction::SUBTRACTION.swapped()], &[stays, falls], 1);
+        // A part that changes without showing does not own what shows beside it.
+        let part = [a, b, Instruction::INTERSECTION, c, Instruction::UNION];
+        check(&part, &[rises, absent, rises], 2);
+        check(&part, &[rises, stays, rises], 0);
     }
 }

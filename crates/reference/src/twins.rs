@@ -63,7 +63,9 @@ fn ball(transform: &Transform) -> Key {
 fn plane(normal: DVec3, centre: DVec3) -> Key {
     let distance = normal.dot(centre);
     let [x, y, z] = normal.to_array().map(|value| rounded(value, step(1.0)));
-    [1, x, y, z, rounded(distance, step(distance.abs())), 0, 0, 0, 0, 0, 0]
+    let unit = step(distance.abs());
+    // Which step it is counts as well: 1 and 2 are as many steps of their own.
+    [1, unit.to_bits(), x, y, z, rounded(distance, unit), 0, 0, 0, 0, 0]
 }
 
 /// Of a normal and its opposite always the same one, and whether it is the opposite.
@@ -73,9 +75,10 @@ fn oriented(normal: DVec3) -> (DVec3, bool) {
     (if turned { -normal } else { normal }, turned)
 }
 
-/// 2^-40 of the power of two that is at most `size`.
+/// 2^-40 of a power of two near `size`. It changes at odd multiples of the root of 2 and not at powers of two, which
+/// people write, and on whose two sides the same plane may come out.
 fn step(size: f64) -> f64 {
-    2f64.powi(-40) * 2f64.powf(size.log2().floor())
+    2f64.powi(-40) * 2f64.powf((size * std::f64::consts::SQRT_2).log2().floor())
 }
 
 /// The bits of the nearest multiple of `step`; of the value itself where there is none. Either zero is the same one.
@@ -138,6 +141,16 @@ mod tests {
                 true,
             ),
             (up, id.translated(-DVec3::Y), false),
+            (up, id.translated(DVec3::Y * 2.0), false),
+            (
+                id.rotated(Axis::X, std::f64::consts::FRAC_PI_2)
+                    .rotated(Axis::Z, std::f64::consts::FRAC_PI_2)
+                    .translated(DVec3::new(0.0, -1.0, 0.5)),
+                id.rotated(Axis::X, -std::f64::consts::FRAC_PI_2)
+                    .rotated(Axis::Z, std::f64::consts::FRAC_PI_2)
+                    .translated(DVec3::new(-1.0, -0.5, 0.5)),
+                true,
+            ),
             (id, id.rotated(Axis::X, 1e-9), false),
         ] {
             check(Base::HalfSpace, a, b, expect);
