@@ -1,7 +1,7 @@
 // What a person sees: the packaged extension in a window, worked by mouse and keys. The tests build on each other.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { after, afterEach, before, test } from "node:test";
 
 import type { FrameLocator, Locator, Page } from "playwright-core";
 
@@ -21,6 +21,12 @@ before(async () => {
   page = await code.open([["openFile", code.remote(`${code.folder}/ball.scene`)]]);
   editor = page.locator('.monaco-editor[data-uri$="ball.scene"]').first();
   await editor.waitFor();
+});
+
+afterEach(async context => {
+  if ("passed" in context && !context.passed) {
+    await shot(page, `failed ${context.name.slice(0, 40)}`);
+  }
 });
 
 after(() => code?.close());
@@ -60,7 +66,9 @@ async function go(line: number, column: number): Promise<void> {
 }
 
 async function position(): Promise<string> {
-  return (await page.locator("#status\\.editor\\.selection").textContent()) ?? "";
+  // There is none while the focus is elsewhere.
+  const found = await page.locator("#status\\.editor\\.selection").allTextContents();
+  return found[0] ?? "";
 }
 
 function token(words: string): Locator {
@@ -89,6 +97,12 @@ function pixel(x: number, y: number, canvas = "#picture"): Promise<number[]> {
 async function isRed(): Promise<boolean> {
   const [r = 0, g = 0, b = 0] = await pixel(0.5, 0.5);
   return r > 100 && g < 40 && b < 40;
+}
+
+/** Whether the ball is where it is looked at, since it has its last colour. */
+async function isPale(): Promise<boolean> {
+  const [r = 0, g = 0] = await pixel(0.5, 0.5);
+  return r > 100 && g > 100;
 }
 
 test("the language is named, and the words have colours", async () => {
@@ -171,10 +185,7 @@ test("a colour chosen at the swatch is written as numbers and seen in the pictur
   await box.click({ position: { x: 3, y: 3 } });
   await shot(page, "swatch");
   await until("other numbers", async () => !(await text()).includes("20 0 0 1"));
-  await until("a pale ball", async () => {
-    const [r = 0, g = 0] = await pixel(0.5, 0.5);
-    return r > 100 && g > 100;
-  });
+  await until("a pale ball", isPale);
   await page.keyboard.press("Escape");
 });
 
@@ -261,4 +272,28 @@ test("a drag walks around, and the camera is written to the file", async () => {
   await preview().locator("#write:enabled").click();
   await until("another camera", async () => !(await text()).includes("eyepos_z := 4"));
   await preview().locator("#write:disabled").waitFor();
+});
+
+test("keys move the view, and Home returns to the file's own", async () => {
+  const canvas = preview().locator("#picture");
+  await canvas.focus();
+  for (let presses = 0; presses < 12; presses++) {
+    await page.keyboard.press("Shift+ArrowRight");
+  }
+  await preview().locator("#reset:enabled").waitFor();
+  await until("the ball at the side", async () => !(await isPale()));
+  await page.keyboard.press("Home");
+  await preview().locator("#reset:disabled").waitFor();
+  await until("the ball in the middle", isPale);
+});
+
+test("the preview comes back when the window is loaded anew", async () => {
+  await go(1, 1);
+  await page.keyboard.press("Control+s");
+  await until("a saved file", async () => (await page.locator(".tab.dirty").count()) === 0);
+  await page.reload();
+  await editor.waitFor();
+  await preview().locator("#picture").waitFor();
+  await until("the ball in the middle", isPale);
+  await shot(page, "reloaded");
 });

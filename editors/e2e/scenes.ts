@@ -18,9 +18,9 @@ const SETTINGS = [
   "ambient_r := 0.1",
   "ambient_g := 0.1",
   "ambient_b := 0.1",
-  "ambient_int_r := 1",
-  "ambient_int_g := 1",
-  "ambient_int_b := 1",
+  "ambient_int_r := 0.2",
+  "ambient_int_g := 0.2",
+  "ambient_int_b := 0.2",
 ];
 
 /** How many lines come before the statements. */

@@ -32,7 +32,7 @@ to the file's own camera. A click goes to the statement of what is under it.</p>
 <span id="facts" role="status"></span>
 <span id="object"></span>
 <button type="button" id="reset" disabled title="Return to the file's own camera (Home)">Reset</button>
-<button type="button" id="write" disabled title="Write this camera to the file">Write Camera to File</button>
+<button type="button" id="write" disabled title="Write this camera to the file">Write Camera</button>
 </footer>
 <script nonce="${nonce}" src="${file("preview.js")}"></script>
 </body>

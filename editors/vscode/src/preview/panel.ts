@@ -53,7 +53,7 @@ export class Preview implements vscode.Disposable {
     const params = { textDocument: this.#document(), position, size: this.#room, camera: this.#camera };
     const found = await this.#session.request(protocol.outline, params, cancel.token);
     if (!cancel.token.isCancellationRequested) {
-      const png = found ? Buffer.from(found.png, "base64") : null;
+      const png = found ? bytes(found.png) : null;
       this.#tell({ type: "outline", png, name: found?.name ?? "" });
     }
   }
@@ -61,7 +61,7 @@ export class Preview implements vscode.Disposable {
   /** A pass of a picture came. */
   frame(frame: protocol.Frame): void {
     if (frame.id === this.#request) {
-      this.#last.frame = { type: "frame", png: Buffer.from(frame.png, "base64") };
+      this.#last.frame = { type: "frame", png: bytes(frame.png) };
       this.#tell(this.#last.frame);
     }
   }
@@ -196,4 +196,9 @@ export class Preview implements vscode.Disposable {
     }
     return false;
   }
+}
+
+/** What base64 stands for. A plain array of bytes, since a message to a page can't hold a `Buffer`. */
+function bytes(base64: string): Uint8Array {
+  return new Uint8Array(Buffer.from(base64, "base64"));
 }

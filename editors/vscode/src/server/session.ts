@@ -129,7 +129,9 @@ export class Session implements vscode.Disposable {
       return undefined;
     }
     try {
-      return await client.sendRequest<R>(type.method, params, token);
+      // A token that is undefined would count as a second parameter.
+      const rest = token === undefined ? [params] : [params, token];
+      return await client.sendRequest<R>(type.method, ...rest);
     } catch (error) {
       if (token?.isCancellationRequested !== true) {
         this.#log.warn(`${type.method}: ${error instanceof Error ? error.message : error}`);

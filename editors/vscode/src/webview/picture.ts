@@ -38,7 +38,7 @@ export class Picture {
     const image = await this.#decode(png, "picture");
     if (image !== undefined) {
       paint(this.#picture, image);
-      this.#size = { width: image.width, height: image.height };
+      this.#size = { width: this.#picture.width, height: this.#picture.height };
       this.#frame.hidden = false;
       this.place();
     }
