@@ -10,7 +10,7 @@ const PICTURES = path.join(import.meta.dirname, "../../docs/pictures");
 const SCENE = `/ A ball, bitten
 width := 640
 height := 560
-samples := 4
+samples := 2
 raydepth := 5
 fov := 0.5
 eyepos_x := 2.2
@@ -63,10 +63,12 @@ async function take(theme: string, name: string, hover: string | undefined): Pro
     await page.keyboard.press("Control+b");
     await editor.locator(".squiggly-warning, .squiggly-unnecessary").first().waitFor({ state: "attached" });
     await editor.click();
-    await page.keyboard.press("Control+k");
-    await page.keyboard.press("v");
+    await page.keyboard.press("F1");
+    await page.locator(".quick-input-widget input").fill(">Scene: Open Preview to the Side");
+    await page.locator(".quick-input-list .monaco-list-row", { hasText: "Open Preview" }).first().click();
     const preview = page.frameLocator("iframe.webview.ready").frameLocator("#active-frame");
-    await preview.locator("#facts", { hasText: "ms" }).waitFor();
+    await preview.locator("#facts", { hasText: / m?s / }).waitFor();
+    await page.keyboard.press("Control+1");
     await page.keyboard.press("Control+g");
     await page.locator(".quick-input-widget input").fill(":25:3");
     await page.keyboard.press("Enter");
@@ -76,7 +78,7 @@ async function take(theme: string, name: string, hover: string | undefined): Pro
       await page.locator(".monaco-hover:visible img").waitFor();
     }
     // The full picture comes a moment after the draft.
-    await page.waitForTimeout(8000);
+    await page.waitForTimeout(5000);
     await page.screenshot({ path: path.join(PICTURES, `${name}.png`), animations: "disabled" });
   } finally {
     await code.close();

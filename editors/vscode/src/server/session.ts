@@ -32,6 +32,9 @@ export interface SessionState {
 /** A crash that comes back this often within this time is no accident. */
 const CRASHES = { most: 4, within: 3 * 60_000 };
 
+/** For requests that are wanted in any case: without any token the library would count one parameter more. */
+const NEVER = new vscode.CancellationTokenSource().token;
+
 /** Whether a file may be run, as far as the platform tells. */
 function runs(file: string): boolean {
   try {
@@ -119,21 +122,15 @@ export class Session implements vscode.Disposable {
   }
 
   /** Asks the server; undefined where there is none, or it has been told not to bother, or it fails. */
-  async request<P, R>(
-    type: RequestType<P, R, void>,
-    params: P,
-    token?: vscode.CancellationToken,
-  ): Promise<R | undefined> {
+  async request<P, R>(type: RequestType<P, R, void>, params: P, token = NEVER): Promise<R | undefined> {
     const client = this.#client;
     if (client?.state !== State.Running) {
       return undefined;
     }
     try {
-      // A token that is undefined would count as a second parameter.
-      const rest = token === undefined ? [params] : [params, token];
-      return await client.sendRequest<R>(type.method, ...rest);
+      return await client.sendRequest<R>(type.method, params, token);
     } catch (error) {
-      if (token?.isCancellationRequested !== true) {
+      if (!token.isCancellationRequested) {
         this.#log.warn(`${type.method}: ${error instanceof Error ? error.message : error}`);
       }
       return undefined;
