@@ -72,7 +72,7 @@ const ROOMS: &[Room] = &[
             "scenec-cpu",
             "scenec-device",
         ],
-        &["plotters"],
+        &["plotters", "serde", "toml"],
     ),
     room(
         "scenec-lsp",
@@ -118,7 +118,7 @@ const ROOMS: &[Room] = &[
 ];
 
 /// Outside crates that more than one room may use; any other belongs to one room alone.
-const SHARED: &[&str] = &["serde_json", "tempfile"];
+const SHARED: &[&str] = &["serde", "serde_json", "tempfile", "toml"];
 
 /// The most lines that a source file may have.
 const LONGEST: usize = 500;

@@ -17,7 +17,7 @@ use std::ops::Range;
 use rayon::ThreadPool;
 use rayon::prelude::*;
 use scenec_picture::{Exact, Frame, NOTHING, Picture, Request, Stats, TraceError, Tracer};
-use scenec_plan::{Packed, Plan, Real, in_singles};
+use scenec_plan::{Packed, Plan, Real, in_doubles, in_singles};
 
 use pixel::Pixel;
 
@@ -134,7 +134,7 @@ impl Run<'_> {
             *to = pixel.solid;
         }
         for (to, pixel) in self.exact.into_iter().flatten().zip(pixels) {
-            *to = pixel.colour.map(R::to_f64);
+            *to = in_doubles(pixel.colour);
         }
     }
 }

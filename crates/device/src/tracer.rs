@@ -2,7 +2,7 @@
 
 use scenec_picture::{Exact, Frame, NOTHING, Picture, Request, Stats, TraceError, Tracer};
 use scenec_plan::packed_structs::{self, Outcome};
-use scenec_plan::{Features, Packed, Plan, Real, in_singles};
+use scenec_plan::{Features, Packed, Plan, Real, in_doubles, in_singles};
 
 use crate::assemble::{Precision, options, source};
 use crate::buffer::{Arg, Buffer};
@@ -164,7 +164,7 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
                     ids[at + i] = outcome.solid;
                 }
                 if let Some(exact) = &mut exact {
-                    exact[at + i] = outcome.colour.map(R::to_f64);
+                    exact[at + i] = in_doubles(outcome.colour);
                 }
                 stats = stats.merge(pixel_stats(outcome));
             }

@@ -14,6 +14,7 @@ mod page;
 mod pareto;
 mod run;
 mod setting;
+pub mod stability;
 mod timing;
 mod trial;
 mod truth;

@@ -26,7 +26,7 @@ pub use frame::{Lamp, Touch, View};
 pub use packed::{Field, FieldKind, LAYOUTS, Layout, Packed, packed_structs};
 pub use precision::BeyondSingle;
 pub use program::{Instruction, OPERATION_SHIFT, PROGRAM_DEPTH, evaluate, owner};
-pub use real::{Real, in_singles};
+pub use real::{Real, in_doubles, in_singles};
 pub use shapes::{Shape, ShapeKind};
 pub use standpoint::{Foothold, Standpoint};
 

@@ -69,6 +69,12 @@ pub fn in_singles<R: Real>(colour: [R; 3]) -> [f32; 3] {
     colour.map(|part| part.to_f32().clamp(f32::MIN, f32::MAX))
 }
 
+/// A colour in doubles: what lies beyond their range ends at its bounds as well.
+#[must_use]
+pub fn in_doubles<R: Real>(colour: [R; 3]) -> [f64; 3] {
+    colour.map(|part| part.to_f64().clamp(f64::MIN, f64::MAX))
+}
+
 macro_rules! real {
     ($type:ident, $name:literal) => {
         impl Real for $type {

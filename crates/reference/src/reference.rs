@@ -156,7 +156,7 @@ impl Row<'_> {
             ids[index] = sight.leaf;
         }
         if let Some(exact) = &mut self.exact {
-            exact[index] = colour;
+            exact[index] = colour.map(|part| part.clamp(f64::MIN, f64::MAX));
         }
         if let Some(paths) = &mut self.paths {
             paths[index] = sight.path;

@@ -3,6 +3,7 @@
 mod cache;
 mod outputs;
 mod process;
+mod stability;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -30,11 +31,17 @@ use process::Renders;
 #[command(after_help = AFTER_HELP)]
 pub(crate) struct BenchOptions {
     /// The scene files
-    #[arg(value_name = "SCENE", required = true)]
+    #[arg(value_name = "SCENE", required_unless_present = "stability")]
     scenes: Vec<PathBuf>,
     /// The folder to write report.csv, report.md and the diagrams wp.svg and wp.png into
-    #[arg(short, long, value_name = "DIR")]
-    output: PathBuf,
+    #[arg(short, long, value_name = "DIR", required_unless_present = "stability")]
+    output: Option<PathBuf>,
+    /// Run the stability suite instead, awkward scenes with known answers, and print its table
+    ///
+    /// Each case is traced by every tracer that there is, in each precision that a render of it would take, and held
+    /// against a closed form, another scene that must look the same, or the slow tracer.
+    #[arg(long, conflicts_with_all = ["scenes", "output", "quick", "full", "size", "cache", "heat"])]
+    stability: bool,
     /// Take about a minute for a small scene, with fewer pixels, samples and repetitions
     #[arg(long, conflicts_with = "full")]
     quick: bool,
@@ -61,10 +68,11 @@ const AFTER_HELP: &str = "\
 Examples:
   scenec bench seed.scene -o bench --quick
   scenec bench scenes/glass.scene scenes/mirrors.scene -o bench --size 120x80 --device none
+  scenec bench --stability > stability.md
 
 Exit codes:
   0    everything is written, and no picture is more wrong than its bound
-  1    a picture is more wrong than its bound, or a scene file has errors
+  1    a picture is more wrong than its bound or a case of the suite fails, or a scene file has errors
   2    the arguments, a file or the folder can't be used
   3    the device that was asked for is not there
   130  stopped by Ctrl-C; nothing is written then";
@@ -89,7 +97,11 @@ impl BenchOptions {
     }
 
     fn bench(&self) -> Result<Exit, Failure> {
-        let outputs = Outputs::at(&self.output)?;
+        // Without the suite the arguments have to name a folder.
+        let Some(output) = self.output.as_ref().filter(|_| !self.stability) else {
+            return stability::run(self.device()?);
+        };
+        let outputs = Outputs::at(output)?;
         let device = self.device()?;
         let mut scenes = Vec::new();
         for path in &self.scenes {
