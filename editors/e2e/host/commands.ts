@@ -54,8 +54,10 @@ export const tests: Tests = {
     const tab = await until("the page", () =>
       vscode.window.tabGroups.all.flatMap(group => group.tabs).find(tab => tab.label.includes(".scene.md")),
     );
-    const page = vscode.workspace.textDocuments.find(document => document.uri.scheme === "scenec-plan");
-    assert.match(page?.getText() ?? "", /base objects/);
+    await until("its text", () => {
+      const page = vscode.workspace.textDocuments.find(document => document.uri.scheme === "scenec-plan");
+      return page?.getText().includes("base objects");
+    });
     await vscode.window.tabGroups.close(tab);
   },
 
