@@ -5,7 +5,7 @@ import * as vscode from "vscode";
 
 import * as protocol from "../protocol.ts";
 import type { Session } from "../server/session.ts";
-import type { Camera } from "../shared/camera.ts";
+import type { Camera, Vector } from "../shared/camera.ts";
 import type { Size } from "../shared/fit.ts";
 import type { ToExtension, ToPage } from "../shared/messages.ts";
 import { DrawLoop } from "./loop.ts";
@@ -78,7 +78,8 @@ export class Preview implements vscode.Disposable {
       void vscode.window.showInformationMessage("Scene: the preview shows the camera of the file.");
       return;
     }
-    const params = { textDocument: this.#document(), camera: this.#camera };
+    const camera = { eye: short(this.#camera.eye), lookat: short(this.#camera.lookat) };
+    const params = { textDocument: this.#document(), camera };
     const edit = await this.#session.request(protocol.writeCamera, params);
     const change = edit ? await this.#session.edit(edit) : undefined;
     if (change !== undefined && (await vscode.workspace.applyEdit(change))) {
@@ -201,4 +202,10 @@ export class Preview implements vscode.Disposable {
 /** What base64 stands for. A plain array of bytes, since a message to a page can't hold a `Buffer`. */
 function bytes(base64: string): Uint8Array {
   return new Uint8Array(Buffer.from(base64, "base64"));
+}
+
+/** Numbers that people read: a hand does not aim more finely. */
+function short(place: Vector): Vector {
+  const [x, y, z] = place.map(value => Number(value.toPrecision(5)));
+  return [x ?? 0, y ?? 0, z ?? 0];
 }
