@@ -46,6 +46,20 @@ impl<R: Real> Cpu<R> {
             threads,
         })
     }
+
+    /// Traces another plan from here on, on the same threads.
+    pub fn show(&mut self, plan: &Plan) {
+        self.scene = plan.packed();
+    }
+
+    /// Divides what the camera sees into other columns and rows, and a pixel into other sample points (measured from
+    /// its centre). The part of the world in the picture stays what it was.
+    pub fn divide(&mut self, width: u32, height: u32, samples: &[[f64; 2]]) {
+        let scene = &mut self.scene;
+        (scene.frame.width, scene.frame.height) = (width, height);
+        scene.samples = samples.iter().map(|point| point.map(R::of)).collect();
+        scene.frame.samples = u32::try_from(samples.len()).unwrap_or(u32::MAX);
+    }
 }
 
 impl<R: Real> Tracer for Cpu<R> {

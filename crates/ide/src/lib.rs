@@ -19,6 +19,7 @@ mod lens;
 mod look;
 #[cfg(test)]
 mod marked;
+mod meaning;
 mod names;
 mod navigate;
 mod outline;
@@ -47,6 +48,7 @@ pub use highlight::{Highlight, highlights};
 pub use hover::{Hover, hover};
 pub use inlay::{InlayHint, InlayKind, inlay_hints};
 pub use lens::{Lens, LensKind, lenses};
+pub use meaning::meaning;
 pub use navigate::{Target, definition, references};
 pub use outline::{OutlineItem, OutlineKind, outline};
 pub use pick::{object_at, statement_of};

@@ -3,6 +3,7 @@
 //! It must not know how statements are parsed and bound; what an editor shows comes from the features as plain data.
 
 mod abilities;
+mod ball;
 mod convert;
 mod documents;
 mod frames;
@@ -12,6 +13,8 @@ mod markup;
 mod mend;
 mod options;
 mod orphan;
+mod pictures;
+pub mod preview;
 mod publisher;
 mod pump;
 mod requests;

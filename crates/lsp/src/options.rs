@@ -1,6 +1,6 @@
 //! What the program that starts the server decides.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use scenec_text::{Code, Severity};
@@ -34,4 +34,6 @@ pub struct Options {
     pub configuration: &'static str,
     /// Whether to tell on standard error what goes on.
     pub log: bool,
+    /// The program that draws the preview, and its arguments: one that ends in [`crate::preview::work`].
+    pub drawer: (PathBuf, Vec<String>),
 }

@@ -56,7 +56,13 @@ pub fn serve(options: Options) -> io::Result<Ended> {
 
 /// The server with every request that is not of the protocol's own.
 fn service(options: Options, client: watch::Sender<Option<u32>>) -> (LspService<Server>, ClientSocket) {
-    LspService::build(|handle| Server::new(handle, options, client)).finish()
+    LspService::build(|handle| Server::new(handle, options, client))
+        .custom_method("scene/render", Server::scene_render)
+        .custom_method("scene/pick", Server::scene_pick)
+        .custom_method("scene/outline", Server::scene_outline)
+        .custom_method("scene/writeCamera", Server::scene_write_camera)
+        .custom_method("scene/plan", Server::scene_plan)
+        .finish()
 }
 
 async fn talk(options: Options, log: Log) -> io::Result<Ended> {

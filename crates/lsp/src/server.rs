@@ -15,6 +15,7 @@ use crate::convert::Known;
 use crate::documents::{Documents, lock};
 use crate::log::Log;
 use crate::options::Options;
+use crate::pictures::Pictures;
 use crate::publisher::Publisher;
 use crate::settings::Settings;
 use crate::view::View;
@@ -27,6 +28,7 @@ pub(crate) struct Server {
     pub(crate) options: Arc<Options>,
     pub(crate) publisher: Arc<Publisher>,
     pub(crate) log: Log,
+    pub(crate) pictures: Arc<Pictures>,
     settings: Arc<Mutex<Arc<Settings>>>,
     abilities: Arc<OnceLock<Abilities>>,
     told: Arc<Mutex<HashSet<String>>>,
@@ -38,6 +40,7 @@ impl Server {
     /// A server that knows nothing of its client yet.
     pub(crate) fn new(client: Client, options: Options, process: watch::Sender<Option<u32>>) -> Self {
         Self {
+            pictures: Arc::new(Pictures::new(&client, &options)),
             client,
             process: Arc::new(process),
             log: Log { on: options.log },

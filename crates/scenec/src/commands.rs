@@ -7,4 +7,5 @@ pub(crate) mod devices;
 pub(crate) mod explain;
 pub(crate) mod fmt;
 pub(crate) mod lsp;
+pub(crate) mod preview_worker;
 pub(crate) mod render;

@@ -43,6 +43,8 @@ enum Command {
     Devices(commands::devices::Devices),
     Explain(commands::explain::Explain),
     Lsp(commands::lsp::Lsp),
+    #[command(name = commands::preview_worker::NAME, hide = true)]
+    PreviewWorker(commands::preview_worker::PreviewWorker),
 }
 
 fn main() -> ExitCode {
@@ -55,6 +57,7 @@ fn main() -> ExitCode {
         Command::Devices(devices) => devices.run(),
         Command::Explain(explain) => explain.run(),
         Command::Lsp(lsp) => lsp.run(),
+        Command::PreviewWorker(worker) => worker.run(),
     };
     exit.into()
 }

@@ -35,6 +35,7 @@ pub(crate) fn ask(server: &Server) {
 
 fn take(server: &Server, settings: Settings) {
     if server.set(settings) {
+        server.pictures.preview.forgive();
         refresh(server);
     }
 }

@@ -51,6 +51,11 @@ impl Lsp {
             file: Box::new(file_options),
             configuration: config::NAME,
             log: self.log || wanted,
+            // The child is this very program; if it can't say where it lies, the shell's way may find it.
+            drawer: (
+                std::env::current_exe().unwrap_or_else(|_| "scenec".into()),
+                vec![super::preview_worker::NAME.to_owned()],
+            ),
         };
         match serve(options) {
             Ok(Ended::InForm) => Exit::Clean,

@@ -19,6 +19,7 @@ pub(crate) struct Client {
     /// What came while something else was waited for.
     kept: VecDeque<Value>,
     ended: Receiver<Option<i32>>,
+    process: u32,
     requests: i64,
 }
 
@@ -32,6 +33,7 @@ impl Client {
     pub(crate) fn with(command: &mut Command) -> Self {
         let command = command.arg("lsp").stdin(Stdio::piped()).stdout(Stdio::piped());
         let mut child = command.spawn().unwrap();
+        let process = child.id();
         let input = child.stdin.take();
         let output = BufReader::new(child.stdout.take().unwrap());
         let (send, messages) = channel();
@@ -43,6 +45,7 @@ impl Client {
             messages,
             kept: VecDeque::new(),
             ended,
+            process,
             requests: 0,
         }
     }
@@ -52,6 +55,11 @@ impl Client {
         let mut client = Self::new();
         client.greet(json!({"processId": null, "rootUri": null, "capabilities": capabilities}));
         client
+    }
+
+    /// The number of the server's process.
+    pub(crate) fn process(&self) -> u32 {
+        self.process
     }
 
     /// Greets the server; gives what it offers.

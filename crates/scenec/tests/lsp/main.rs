@@ -9,4 +9,5 @@ mod findings;
 mod frames;
 mod greetings;
 mod order;
+mod preview;
 mod synchronisation;
