@@ -127,8 +127,12 @@ impl Work<'_> {
 
     /// A leaf of the root's unions. A second one with the same surface can't be seen: the left one owns it.
     fn lone_leaf(&mut self, id: SolidId, paint: Option<MaterialId>, alone: &mut HashSet<u32>) {
-        if let Some(leaf) = self.leaf(id, paint)
-            && alone.insert(self.flat.leaves[leaf as usize].shape)
+        let SolidKind::Leaf(base) = &self.scene.solid(id).kind else {
+            return;
+        };
+        let shape = self.shapes.intern(base.base, &self.scene.transform(base));
+        if alone.insert(shape)
+            && let Some(leaf) = self.leaf(id, paint)
         {
             let (program, members) = (self.flat.program.len() as u32, self.flat.members.len() as u32);
             self.flat.program.push(Instruction::member(0));

@@ -90,7 +90,10 @@ fn what_cannot_be_measured_is_refused_before_anything_is() {
 fn a_bench_that_is_stopped_writes_nothing() {
     let room = Room::new();
     let child = room.command("a.scene -o out --full").spawn().unwrap();
-    std::thread::sleep(std::time::Duration::from_millis(1500));
+    // It listens before it makes its folder, and has work for a long time after that.
+    while !room.path("out").exists() {
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
     let mut kill = Command::new("kill");
     assert!(kill.args(["-INT", &child.id().to_string()]).status().unwrap().success());
     let ended = child.wait_with_output().unwrap();

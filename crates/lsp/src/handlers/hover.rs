@@ -15,7 +15,8 @@ pub(crate) async fn hover(server: &Server, params: HoverParams) -> Result<Option
         let pictures = view.settings.ball && view.abilities.markdown_hover;
         let ball = hover.ball.as_ref().filter(|_| pictures).and_then(ball);
         let words = match ball {
-            Some(image) => format!("{}\n\n{image}", hover.markdown),
+            // Above the words: long hovers scroll, and what the material looks like is asked for first.
+            Some(image) => format!("{image}\n\n{}", hover.markdown),
             None => hover.markdown,
         };
         Some(Hover {

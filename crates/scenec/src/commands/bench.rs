@@ -101,6 +101,7 @@ impl BenchOptions {
         let Some(output) = self.output.as_ref().filter(|_| !self.stability) else {
             return stability::run(self.device()?);
         };
+        interrupt::watch();
         let outputs = Outputs::at(output)?;
         let device = self.device()?;
         let mut scenes = Vec::new();

@@ -60,6 +60,14 @@ impl Room {
         command_in(self.0.path(), arguments)
     }
 
+    /// The same, which hears Ctrl-C even if a shell has made this test deaf to it: what is deaf stays deaf.
+    #[cfg(target_os = "linux")]
+    pub(crate) fn hearing(&self, arguments: &str) -> Command {
+        let mut command = Command::new("env");
+        command.args(["--default-signal=INT", env!("CARGO_BIN_EXE_scenec")]);
+        prepared(command, self.0.path(), arguments)
+    }
+
     pub(crate) fn run(&self, arguments: &str) -> Ran {
         self.feed(arguments, b"")
     }
@@ -71,7 +79,10 @@ impl Room {
 }
 
 pub(crate) fn command_in(folder: &Path, arguments: &str) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_scenec"));
+    prepared(Command::new(env!("CARGO_BIN_EXE_scenec")), folder, arguments)
+}
+
+fn prepared(mut command: Command, folder: &Path, arguments: &str) -> Command {
     command
         .args(arguments.split_whitespace())
         .current_dir(folder)

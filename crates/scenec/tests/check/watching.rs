@@ -10,7 +10,7 @@ use crate::room::{Room, SETTINGS};
 #[test]
 fn a_change_is_checked_and_ctrl_c_ends_with_130() {
     let room = Room::with(&[("a.scene", SETTINGS)]);
-    let mut child = room.command("check --watch --output-format concise").spawn().unwrap();
+    let mut child = room.hearing("check --watch --output-format concise").spawn().unwrap();
     let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
     let mut next = || lines.next().unwrap().unwrap();
     assert_eq!(next(), "1 file: no problems");
