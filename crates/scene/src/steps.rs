@@ -56,6 +56,7 @@ pub enum StepKind {
 impl StepKind {
     /// `transform` followed by this.
     #[must_use]
+    #[inline]
     pub fn after(self, transform: Transform) -> Transform {
         match self {
             Self::Scale(by) => transform.scaled(by),
@@ -107,10 +108,10 @@ impl Steps {
     ///
     /// # Errors
     /// What it would come to, if not every number of that is finite; then nothing is added.
-    pub fn push(&mut self, step: Step) -> Result<StepId, Transform> {
+    pub fn push(&mut self, step: Step) -> Result<StepId, Box<Transform>> {
         let transform = step.kind.after(self.transform(step.previous));
         if !transform.is_finite() {
-            return Err(transform);
+            return Err(Box::new(transform));
         }
         let before = step.previous.and_then(|id| self.list.get(id.index()));
         let distance = before.map_or(1, |before| before.distance + 1) % STRIDE;
@@ -150,7 +151,7 @@ impl Steps {
     /// What an object's steps come to, up to this one; the identity without any.
     #[must_use]
     pub fn transform(&self, last: Option<StepId>) -> Transform {
-        let mut open = [StepKind::Translate(DVec3::ZERO); STRIDE as usize];
+        let mut open = [None; STRIDE as usize];
         let mut count = 0;
         let mut transform = Transform::IDENTITY;
         let mut next = last;
@@ -160,12 +161,14 @@ impl Steps {
                 break;
             }
             let Some(place) = open.get_mut(count) else { break };
-            *place = stored.kind();
+            *place = Some(stored);
             count += 1;
             next = stored.previous;
         }
-        let steps = open.into_iter().take(count).rev();
-        steps.fold(transform, |transform, step| step.after(transform))
+        for stored in open.iter().rev().copied().flatten() {
+            transform = stored.kind().after(transform);
+        }
+        transform
     }
 
     fn kept_at(&self, id: StepId) -> Transform {

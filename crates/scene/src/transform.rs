@@ -38,6 +38,7 @@ impl Transform {
 
     /// Followed by a scale along the world's axes; no component may be zero.
     #[must_use]
+    #[inline]
     pub fn scaled(self, by: DVec3) -> Self {
         self.then(DMat3::from_diagonal(by), DMat3::from_diagonal(by.recip()))
     }
@@ -55,6 +56,7 @@ impl Transform {
 
     /// Followed by a translation, world units.
     #[must_use]
+    #[inline]
     pub fn translated(self, by: DVec3) -> Self {
         Self {
             centre: self.centre + by,
@@ -68,6 +70,7 @@ impl Transform {
         self.linear.is_finite() && self.inverse.is_finite() && self.centre.is_finite()
     }
 
+    #[inline]
     fn then(self, factor: DMat3, inverse: DMat3) -> Self {
         Self {
             linear: factor * self.linear,
