@@ -91,8 +91,8 @@ pub fn scan(text: &str) -> impl Iterator<Item = (Token, Span)> + '_ {
 /// The tokens of a text as the parser takes them.
 pub(crate) struct Scanner<'a> {
     lexer: logos::Lexer<'a, Token>,
-    /// What was read beyond a run of bad characters.
-    ahead: Option<Word>,
+    /// What was read beyond a run of bad characters; its place is the lexer's.
+    ahead: Option<Token>,
 }
 
 impl<'a> Scanner<'a> {
@@ -118,38 +118,50 @@ impl<'a> Scanner<'a> {
         Self { lexer, ahead: None }
     }
 
-    fn read(&mut self) -> Option<Word> {
-        let token = self.lexer.next()?.unwrap_or(Token::Bad);
+    #[inline]
+    fn read(&mut self) -> Option<Token> {
+        Some(self.lexer.next()?.unwrap_or(Token::Bad))
+    }
+
+    /// The place of what was read last.
+    #[inline]
+    fn span(&self) -> Span {
         let range = self.lexer.span();
         let offset = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
-        Some(Word {
-            token,
-            span: Span::new(offset(range.start), offset(range.end)),
-            number: 0.0,
-        })
+        Span::new(offset(range.start), offset(range.end))
+    }
+
+    /// A bad token with those that touch it.
+    #[cold]
+    fn run_from(&mut self, mut span: Span) -> Span {
+        self.ahead = self.read();
+        while self.ahead == Some(Token::Bad) && self.span().start == span.end {
+            span.end = self.span().end;
+            self.ahead = self.read();
+        }
+        span
     }
 }
 
 impl Iterator for Scanner<'_> {
     type Item = Word;
 
+    /// In place, since a word on its way through memory, written in parts and read as a whole, makes the processor wait.
+    #[inline(always)]
     fn next(&mut self) -> Option<Word> {
-        let mut word = match self.ahead.take() {
-            Some(word) => word,
+        let token = match self.ahead.take() {
+            Some(token) => token,
             None => self.read()?,
         };
-        while word.token == Token::Bad {
-            match self.read() {
-                Some(more) if more.token == Token::Bad && more.span.start == word.span.end => {
-                    word.span.end = more.span.end;
-                }
-                other => {
-                    self.ahead = other;
-                    break;
-                }
-            }
+        let mut span = self.span();
+        if token == Token::Bad {
+            span = self.run_from(span);
         }
-        Some(word)
+        Some(Word {
+            token,
+            span,
+            number: 0.0,
+        })
     }
 }
 

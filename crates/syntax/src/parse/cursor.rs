@@ -18,8 +18,8 @@ impl<'a> Cursor<'a> {
     }
 
     /// The token here, or `None` at the end of the line.
-    pub(crate) fn peek(&self) -> Option<Word> {
-        self.words.get(self.at).copied()
+    pub(crate) fn peek(&self) -> Option<&'a Word> {
+        self.words.get(self.at)
     }
 
     pub(crate) fn advance(&mut self) {
