@@ -1,5 +1,8 @@
 //! All rules over one file, and the whole way from a text to its findings.
 
+use std::panic::resume_unwind;
+use std::thread;
+
 use scenec_interpret::{Interpretation, interpret};
 use scenec_syntax::{Line, read_ahead};
 use scenec_text::{Diagnostic, SourceFile};
@@ -7,8 +10,11 @@ use scenec_text::{Diagnostic, SourceFile};
 use crate::context::Context;
 use crate::findings::{self, Findings};
 use crate::mend::mend;
-use crate::rules::RULES;
+use crate::rules::{SOLIDS, STATEMENTS};
 use crate::suppress::suppress;
+
+/// In files of fewer bytes the rules are through before a thread has come to life.
+const LARGE: usize = 1 << 20;
 
 /// A file that went all the way: what it means, and everything that was found.
 #[derive(Clone, Debug)]
@@ -57,10 +63,56 @@ pub fn lint(source: &SourceFile, interpretation: &Interpretation) -> Vec<Diagnos
     apply(&Context::new(source, interpretation))
 }
 
+/// Every rule; in a large file the two kinds side by side, which share little that takes long to find out.
 fn apply(context: &Context<'_>) -> Vec<Diagnostic> {
     let mut findings = Findings::default();
-    for rule in RULES {
-        (rule.check)(context, &mut findings);
+    let Context {
+        source, interpretation, ..
+    } = *context;
+    if source.text().len() < LARGE {
+        findings.apply(STATEMENTS, context);
+        findings.apply(SOLIDS, context);
+        return findings.sorted();
     }
+    let solids = || {
+        let mut findings = Findings::default();
+        findings.apply(SOLIDS, &Context::new(source, interpretation));
+        findings.sorted()
+    };
+    thread::scope(|scope| {
+        let solids = scope.spawn(solids);
+        findings.apply(STATEMENTS, context);
+        findings.extend(solids.join().unwrap_or_else(|panic| resume_unwind(panic)));
+    });
     findings.sorted()
+}
+
+#[cfg(test)]
+mod tests {
+    use scenec_interpret::analyse;
+    use scenec_text::SourceFile;
+
+    use super::{LARGE, lint};
+
+    /// What is found in a file is found, in the same order, where comments make it large.
+    fn check(text: &str) {
+        let findings = |text: String| {
+            let source = SourceFile::new("t", text).unwrap();
+            lint(&source, &analyse(&source).0)
+        };
+        let small = findings(text.to_owned());
+        assert!(small.len() > 1, "{small:?}");
+        assert_eq!(small, findings(format!("{text}{}", "/ comment\n".repeat(LARGE / 10))));
+    }
+
+    #[test]
+    fn large_files_have_the_findings_of_small_ones() {
+        let solids =
+            "?m := 1 0 0 0.8 0.5 1.5 1 1 1 1\n!a := sphere\n!a ?= m\n!b := sphere\n!b *= 0.5 0.5 0.5\n!b #x= 90\n";
+        check(&format!("{}{solids}!u := a | b\n!u <=\n", crate::PRELUDE));
+        check(&format!(
+            "{}{solids}!u := a - b\n!unused := hp\n!u *= 1 1 1\n",
+            crate::PRELUDE
+        ));
+    }
 }

@@ -2,6 +2,9 @@
 
 use scenec_text::Diagnostic;
 
+use crate::context::Context;
+use crate::rule::Rule;
+
 /// Findings in the order in which they came.
 #[derive(Default)]
 pub(crate) struct Findings {
@@ -9,6 +12,13 @@ pub(crate) struct Findings {
 }
 
 impl Findings {
+    /// Adds what each of the rules finds.
+    pub(crate) fn apply(&mut self, rules: &[Rule], context: &Context<'_>) {
+        for rule in rules {
+            (rule.check)(context, self);
+        }
+    }
+
     pub(crate) fn push(&mut self, finding: Diagnostic) {
         self.list.push(finding);
     }

@@ -39,8 +39,6 @@ pub(crate) struct Geometry {
     pub(crate) covered: Vec<Covered>,
     /// Whether the submitted solid is certain to be empty.
     pub(crate) empty: bool,
-    /// Which solids the submitted one is made of.
-    reached: Vec<bool>,
     /// What the submitted solid is a union of; itself, if it is no union.
     root: Group,
 }
@@ -73,14 +71,8 @@ impl Geometry {
             verdicts,
             covered,
             empty: is_empty(scene.root),
-            reached,
             root: root.unwrap_or_else(|| Group::new(Vec::new(), &bounds)),
         }
-    }
-
-    /// Whether the submitted solid is made of the one with this number, whatever the operators leave of it.
-    pub(crate) fn reaches(&self, index: usize) -> bool {
-        self.reached.get(index) == Some(&true)
     }
 
     /// Where a point is. Looking takes `steps`; without any left, nothing is certain.

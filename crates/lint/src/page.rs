@@ -3,7 +3,7 @@
 use scenec_text::Code;
 
 use crate::pages::PAGES;
-use crate::rules::RULES;
+use crate::rules;
 
 /// What the manual says about a code.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -106,7 +106,7 @@ pub fn pages() -> Vec<Page> {
 /// The page of a code; every code has one.
 #[must_use]
 pub fn page(code: Code) -> Option<Page> {
-    let rules = RULES.iter().map(|rule| &rule.page);
+    let rules = rules::all().map(|rule| &rule.page);
     let others = PAGES.iter().copied().flatten();
     rules.chain(others).find(|page| page.code == code).copied()
 }

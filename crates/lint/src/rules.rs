@@ -7,7 +7,12 @@ mod values;
 use crate::rule::Rule;
 
 /// Every rule. What one reports no other reports again.
-pub(crate) const RULES: &[Rule] = &[
+pub(crate) fn all() -> impl Iterator<Item = &'static Rule> {
+    STATEMENTS.iter().chain(SOLIDS)
+}
+
+/// Rules that look at one statement, solid or number after the other.
+pub(crate) const STATEMENTS: &[Rule] = &[
     // Work that does nothing.
     dropped::unused_object::RULE,
     dropped::unused_material::RULE,
@@ -27,7 +32,14 @@ pub(crate) const RULES: &[Rule] = &[
     values::unbent_glass::RULE,
     values::many_samples::RULE,
     values::idle_depth::RULE,
-    // Geometry that comes to nothing, each with its proof.
+    // Solids that come out badly, each for itself.
+    geometry::ill_conditioned::RULE,
+    geometry::too_far_to_resolve::RULE,
+];
+
+/// Rules about how solids lie to each other and to the camera, each with its proof. In a large scene they take longer than
+/// all others.
+pub(crate) const SOLIDS: &[Rule] = &[
     geometry::covered_solid::RULE,
     geometry::idle_subtraction::RULE,
     geometry::empty_subtraction::RULE,
@@ -37,6 +49,4 @@ pub(crate) const RULES: &[Rule] = &[
     geometry::buried_light::RULE,
     geometry::buried_eye::RULE,
     geometry::nothing_in_view::RULE,
-    geometry::ill_conditioned::RULE,
-    geometry::too_far_to_resolve::RULE,
 ];

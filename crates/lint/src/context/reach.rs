@@ -4,6 +4,7 @@ use scenec_scene::{Base, MaterialId, Scene, SolidKind};
 
 /// Which solids and materials of a scene show in the submitted object, whatever its operators leave of them.
 pub(crate) struct Reach {
+    solids: Vec<Reached>,
     materials: Vec<bool>,
     steps: Vec<Option<Base>>,
 }
@@ -63,7 +64,16 @@ impl Reach {
             }
         }
         let steps = steps(scene, &solids);
-        Self { materials, steps }
+        Self {
+            solids,
+            materials,
+            steps,
+        }
+    }
+
+    /// Whether the solid with this number is part of the submitted object.
+    pub(crate) fn solid(&self, index: usize) -> bool {
+        self.solids.get(index).is_some_and(|here| here.painted || here.bare)
     }
 
     /// Whether the material with this number is that of a part of the submitted object.

@@ -45,13 +45,13 @@ const MOST: f64 = 1e6;
 const MOST_STEPS: usize = 64;
 
 fn check(context: &Context<'_>, findings: &mut Findings) {
-    let Some((scene, geometry)) = context.geometry() else {
+    let Some((scene, reach)) = context.scene().zip(context.reach()) else {
         return;
     };
     let mut seen: HashSet<StepId> = HashSet::new();
     for (index, solid) in scene.solids.iter().enumerate() {
         let SolidKind::Leaf(leaf) = &solid.kind else { continue };
-        if leaf.base != Base::Sphere || !geometry.reaches(index) {
+        if leaf.base != Base::Sphere || !reach.solid(index) {
             continue;
         }
         let Some(steps) = leaf.steps else { continue };

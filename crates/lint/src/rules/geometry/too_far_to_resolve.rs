@@ -46,14 +46,14 @@ rule! {
 const AXES: [[&str; 2]; 3] = [["x", "eyepos_x"], ["y", "eyepos_y"], ["z", "eyepos_z"]];
 
 fn check(context: &Context<'_>, findings: &mut Findings) {
-    let Some((scene, geometry)) = context.geometry() else {
+    let Some((scene, reach)) = context.scene().zip(context.reach()) else {
         return;
     };
     let eye = scene.settings.eyepos;
     let mut seen: HashSet<StepId> = HashSet::new();
     for (index, solid) in scene.solids.iter().enumerate() {
         let SolidKind::Leaf(leaf) = &solid.kind else { continue };
-        if leaf.base != Base::Sphere || !geometry.reaches(index) {
+        if leaf.base != Base::Sphere || !reach.solid(index) {
             continue;
         }
         let far = Ball::of(&scene.transform(leaf)).and_then(|ball| unresolved(&ball, (ball.centre - eye).to_array()));
