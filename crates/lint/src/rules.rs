@@ -32,12 +32,13 @@ pub(crate) const STATEMENTS: &[Rule] = &[
     values::unbent_glass::RULE,
     values::many_samples::RULE,
     values::idle_depth::RULE,
-    // Solids that come out badly, each for itself.
+    // Solids that come out badly or not at all, each for itself.
     geometry::ill_conditioned::RULE,
     geometry::too_far_to_resolve::RULE,
+    geometry::nothing_in_view::RULE,
 ];
 
-/// Rules about how solids lie to each other and to the camera, each with its proof. In a large scene they take longer than
+/// Rules about how solids lie to each other and to points, each with its proof. In a large scene they take longer than
 /// all others.
 pub(crate) const SOLIDS: &[Rule] = &[
     geometry::covered_solid::RULE,
@@ -48,5 +49,4 @@ pub(crate) const SOLIDS: &[Rule] = &[
     geometry::coincident_operands::RULE,
     geometry::buried_light::RULE,
     geometry::buried_eye::RULE,
-    geometry::nothing_in_view::RULE,
 ];

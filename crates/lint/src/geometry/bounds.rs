@@ -31,9 +31,11 @@ impl Bounds {
         self.low.iter().chain(&self.high).all(|side| side.is_finite())
     }
 
-    /// Whether this one holds the other.
+    /// Whether this one holds the other. All sides are compared at once: which one decides can't be foreseen.
     pub(crate) fn holds(&self, other: &Self) -> bool {
-        (0..3).all(|axis| self.low[axis] <= other.low[axis] && other.high[axis] <= self.high[axis])
+        (0..3).fold(true, |held, axis| {
+            held & (self.low[axis] <= other.low[axis]) & (other.high[axis] <= self.high[axis])
+        })
     }
 
     /// Why the two have no point in common.

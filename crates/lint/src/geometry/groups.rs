@@ -232,14 +232,10 @@ impl Cover<'_> {
             }
             self.found.push(Covered { inner, outer, proof });
         };
-        if let Some(proof) = self.prover.inside(one.solid, other.solid) {
-            note(inner, one, other, Some(proof));
-        } else if self.prover.same(one.solid, other.solid) {
-            if inner > outer {
-                note(inner, one, other, None);
-            } else {
-                note(outer, other, one, None);
-            }
+        match self.prover.within(one.solid, other.solid) {
+            Some(None) if inner < outer => note(outer, other, one, None),
+            Some(proof) => note(inner, one, other, proof),
+            None => {}
         }
     }
 }

@@ -35,6 +35,18 @@ impl Prover<'_> {
         a == b || self.leaves(a, b).is_some_and(|(a, b)| pairs::same(&a, &b))
     }
 
+    /// How `inner` lies in `outer`: why it lies inside, as [`Self::inside`] shows, or `None` where the two are the same.
+    pub(super) fn within(self, inner: SolidId, outer: SolidId) -> Option<Option<Proof>> {
+        let (a, b) = (bare(self.scene, inner), bare(self.scene, outer));
+        // Mostly it is one leaf in another, and their shapes take longer to make than to compare.
+        if let Some((a, b)) = self.leaves(a, b) {
+            let inside = pairs::inside(&a, &b).map(|fact| Some(fact.alone()));
+            return inside.or_else(|| pairs::same(&a, &b).then_some(None));
+        }
+        let inside = self.inside(a, b).map(Some);
+        inside.or_else(|| (a == b).then_some(None))
+    }
+
     fn box_of(self, id: SolidId) -> Bounds {
         self.bounds.get(id.index()).copied().unwrap_or(Bounds::EVERYWHERE)
     }

@@ -44,7 +44,7 @@ impl Node {
 
     /// Whether a box under this node may lie in the given one.
     fn may_lie_in(&self, outer: &Bounds) -> bool {
-        (0..3).all(|i| outer.low[i] <= self.inner.low[i] && self.inner.high[i] <= outer.high[i])
+        outer.holds(&self.inner)
     }
 }
 
@@ -101,13 +101,12 @@ impl Tree {
         while let Some((level, index)) = open.pop() {
             let Some(left) = steps.checked_sub(1) else { return };
             *steps = left;
-            if level > 0 {
-                let below = [2 * index, 2 * index + 1].map(|index| (level - 1, index));
-                open.extend(
-                    below
-                        .into_iter()
-                        .filter(|(level, index)| node(*level, *index).is_some_and(&enter)),
-                );
+            if let Some(level) = level.checked_sub(1) {
+                for index in [2 * index, 2 * index + 1] {
+                    if node(level, index).is_some_and(&enter) {
+                        open.push((level, index));
+                    }
+                }
                 continue;
             }
             let bunch = self.items.iter().skip(index * BUNCH).take(BUNCH);

@@ -45,12 +45,10 @@ rule! {
 }
 
 fn check(context: &Context<'_>, findings: &mut Findings) {
-    let Some((scene, geometry)) = context.geometry() else {
-        return;
-    };
-    // Why an empty solid does not show is another finding.
+    let Some(scene) = context.scene() else { return };
     let missed = Frustum::of(&scene.settings).is_some_and(|frustum| frustum.misses(scene));
-    if !missed || geometry.empty {
+    // Why an empty solid does not show is another finding. The rest of the geometry is looked at only if nothing shows.
+    if !missed || context.geometry().is_none_or(|(_, geometry)| geometry.empty) {
         return;
     }
     let Some(aim) = setting_line(context, "lookat_x") else {
