@@ -17,7 +17,6 @@ pub(crate) const STATEMENTS: &[Rule] = &[
     dropped::unused_object::RULE,
     dropped::unused_material::RULE,
     dropped::idle_transform::RULE,
-    dropped::effectless_transform::RULE,
     dropped::material_replaced::RULE,
     // Values that do not do what they seem to.
     values::energy_gain::RULE,
@@ -41,6 +40,8 @@ pub(crate) const STATEMENTS: &[Rule] = &[
 /// Rules about how solids lie to each other and to points, each with its proof. In a large scene they take longer than
 /// all others.
 pub(crate) const SOLIDS: &[Rule] = &[
+    // First, so that its list of steps is gone before the trees of solids are built.
+    dropped::effectless_transform::RULE,
     geometry::covered_solid::RULE,
     geometry::idle_subtraction::RULE,
     geometry::empty_subtraction::RULE,

@@ -108,11 +108,11 @@ async fn draw(server: &Server, params: Params) -> Result<Answer> {
         let subject = Subject::of(view, size, camera);
         subject
             .map(|subject| (subject, view.settings.device.clone()))
-            .ok_or_else(|| broken(view))
+            .ok_or_else(|| Box::new(broken(view)))
     };
     let (subject, device) = match server.on(&url, subject).await? {
         Some(Ok(found)) => found,
-        Some(Err(broken)) => return Ok(broken),
+        Some(Err(broken)) => return Ok(*broken),
         None => return Ok(Answer::new(Outcome::Cancelled, None)),
     };
     let version = subject.version;

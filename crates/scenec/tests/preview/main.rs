@@ -1,6 +1,6 @@
 //! `scenec preview-worker`, and the server's hand that leads it.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at once")]
+#![allow(clippy::expect_used, clippy::unwrap_used, reason = "a test may stop at once")]
 
 #[cfg(unix)]
 mod losses;
