@@ -15,7 +15,7 @@ use tower_lsp::lsp_types::notification::Notification;
 use crate::documents::lock;
 use crate::log::Log;
 use crate::options::Options;
-use crate::preview::{CameraWish, Limits, Look, News, Preview, Report, State, Task};
+use crate::preview::{CameraWish, Limits, Look, News, Pass, Preview, Report, State, Task};
 use crate::server::{Server, aside};
 use crate::settings::Csg;
 use crate::view::View;
@@ -58,18 +58,8 @@ impl Pictures {
         let log = Log { on: options.log };
         let report = move |report| match report {
             Report::Line(line) => log.say(format_args!("drawing: {line}")),
-            Report::Status {
-                state,
-                device,
-                milliseconds,
-                message,
-            } => {
-                let status = Status {
-                    state,
-                    device,
-                    milliseconds,
-                    message,
-                };
+            Report::Status { state, message } => {
+                let status = Status::of(state, message);
                 // A server at its end tells nothing any more.
                 sender.send(status).unwrap_or_default();
             }
@@ -149,15 +139,35 @@ pub(crate) async fn base64(bytes: Vec<u8>) -> Result<String> {
 }
 
 /// `scene/status`
-#[derive(Serialize, Deserialize)]
-struct Status {
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct Status {
     state: State,
     device: Option<String>,
     milliseconds: Option<f64>,
     message: Option<String>,
 }
 
-enum SceneStatus {}
+impl Status {
+    fn of(state: State, message: Option<String>) -> Self {
+        Self {
+            state,
+            device: None,
+            milliseconds: None,
+            message,
+        }
+    }
+
+    /// After a picture.
+    pub(crate) fn drawn(last: Option<&Pass>, message: Option<String>) -> Self {
+        Self {
+            device: last.map(|pass| pass.device.clone()),
+            milliseconds: last.map(|pass| pass.milliseconds),
+            ..Self::of(State::Ready, message)
+        }
+    }
+}
+
+pub(crate) enum SceneStatus {}
 
 impl Notification for SceneStatus {
     type Params = Status;

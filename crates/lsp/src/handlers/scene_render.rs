@@ -6,7 +6,7 @@ use tower_lsp::jsonrpc::Result;
 use tower_lsp::lsp_types::notification::Notification;
 use tower_lsp::lsp_types::{Range, TextDocumentIdentifier, Url};
 
-use crate::pictures::{Size, Subject, base64};
+use crate::pictures::{SceneStatus, Size, Status, Subject, base64};
 use crate::preview::{CameraUsed, CameraWish, News, Pass, Quality, Task};
 use crate::server::Server;
 use crate::view::View;
@@ -129,7 +129,13 @@ async fn draw(server: &Server, params: Params) -> Result<Answer> {
                 shown = Some(pass);
                 server.client.send_notification::<SceneFrame>(frame).await;
             }
-            News::Drawn { camera, .. } => return Ok(Answer::done(version, shown, camera)),
+            News::Drawn { camera, remark } => {
+                // The library writes answers and notifications from two queues. This returns only once its queue has
+                // let go of what was sent before, so that the answer can't overtake the last frame.
+                let status = Status::drawn(shown.as_ref(), remark);
+                server.client.send_notification::<SceneStatus>(status).await;
+                return Ok(Answer::done(version, shown, camera));
+            }
             News::Failed { message } => return Ok(Answer::failed(Some(version), message)),
             News::Cancelled => return Ok(Answer::new(Outcome::Cancelled, Some(version))),
             News::Picked { .. } | News::Outlined { .. } => break,

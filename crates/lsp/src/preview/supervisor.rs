@@ -65,10 +65,6 @@ pub enum Report {
     Status {
         /// How.
         state: State,
-        /// What computed the last picture, if one is just done.
-        device: Option<String>,
-        /// How long that took.
-        milliseconds: Option<f64>,
         /// What is to be said about it.
         message: Option<String>,
     },
@@ -107,8 +103,6 @@ struct Pending {
     text: Arc<str>,
     news: answers::UnboundedSender<(News, Vec<u8>)>,
     sent: bool,
-    /// What computed the last pass, and when it was there.
-    last: Option<(String, f64)>,
 }
 
 impl Preview {
@@ -152,7 +146,6 @@ impl Preview {
             text,
             news: sender,
             sent: false,
-            last: None,
         };
         // The thread outlives its door.
         self.events.send(Event::Ask(job, pending)).unwrap_or_default();
@@ -246,7 +239,7 @@ impl Supervisor {
                 let how = how.or(why).unwrap_or_else(|| "it closed the line".to_owned());
                 self.lost(&format!("the drawing process ended ({how})"));
             }
-            Said::Answer(Answer::Hello { protocol: PROTOCOL }, _) => self.status(State::Ready, None, None),
+            Said::Answer(Answer::Hello { protocol: PROTOCOL }, _) => self.status(State::Ready, None),
             Said::Answer(Answer::Hello { .. }, _) => {
                 self.lost("the drawing process is of another version: restart the server");
             }
@@ -264,16 +257,12 @@ impl Supervisor {
             return;
         };
         match news {
-            News::Pass(pass) => {
-                pending.last = Some((pass.device.clone(), pass.milliseconds));
-                pending.say(News::Pass(pass), payload);
-            }
+            News::Pass(pass) => pending.say(News::Pass(pass), payload),
             News::Drawn { camera, remark } => {
                 let Some(pending) = self.jobs.remove(&job) else {
                     return;
                 };
                 let remark = self.health.drawn(&pending.task).or(remark);
-                self.status(State::Ready, pending.last.clone(), remark.clone());
                 pending.say(News::Drawn { camera, remark }, payload);
             }
             other => {
@@ -314,7 +303,7 @@ impl Supervisor {
         self.generation += 1;
         let (generation, events) = (self.generation, self.events.clone());
         let state = self.health.starting();
-        self.status(state, None, None);
+        self.status(state, None);
         let hear = move |said| events.send(Event::Said(generation, said)).unwrap_or_default();
         match Hands::start(&self.program, &self.arguments, hear) {
             Ok(hands) => self.hands = Some(hands),
@@ -349,17 +338,11 @@ impl Supervisor {
                 pending.say(News::Failed { message }, Vec::new());
             }
         }
-        self.status(state, None, Some(why.to_owned()));
+        self.status(state, Some(why.to_owned()));
     }
 
-    fn status(&mut self, state: State, last: Option<(String, f64)>, message: Option<String>) {
-        let (device, milliseconds) = last.unzip();
-        (self.report)(Report::Status {
-            state,
-            device,
-            milliseconds,
-            message,
-        });
+    fn status(&mut self, state: State, message: Option<String>) {
+        (self.report)(Report::Status { state, message });
     }
 }
 

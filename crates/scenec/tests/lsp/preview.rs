@@ -74,6 +74,18 @@ fn a_picture_comes_in_frames_and_with_an_answer() {
 }
 
 #[test]
+fn no_answer_overtakes_its_last_frame() {
+    let mut client = drawing(SEED);
+    for number in 0..100 {
+        let answer = client.request("scene/render", wish(number, "draft")).unwrap();
+        assert_eq!(answer["outcome"], "done", "{answer}");
+        let last = |one: &Value| one["params"]["id"] == number && one["params"]["final"] == true;
+        assert!(client.rest().iter().any(last), "the answer to {number} came first");
+    }
+    client.farewell();
+}
+
+#[test]
 fn a_broken_text_is_told_with_its_first_error() {
     let mut client = drawing("!a := sphere\n!b := ball\n");
     let answer = client.request("scene/render", wish(1, "draft")).unwrap();
