@@ -30,7 +30,7 @@ impl Room {
     fn command(&self, arguments: &str) -> Command {
         // A shell may have made this test deaf to Ctrl-C, and what is deaf stays deaf.
         let mut command = Command::new("env");
-        command.args(["--default-signal=INT", env!("CARGO_BIN_EXE_scenec"), "bench"]);
+        command.args(["--default-signal=INT,HUP,TERM", env!("CARGO_BIN_EXE_scenec"), "bench"]);
         command
             .args(arguments.split_whitespace())
             .args(["--cache", "kept", "--device", "none"]);

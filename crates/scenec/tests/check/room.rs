@@ -64,7 +64,7 @@ impl Room {
     #[cfg(target_os = "linux")]
     pub(crate) fn hearing(&self, arguments: &str) -> Command {
         let mut command = Command::new("env");
-        command.args(["--default-signal=INT", env!("CARGO_BIN_EXE_scenec")]);
+        command.args(["--default-signal=INT,HUP,TERM", env!("CARGO_BIN_EXE_scenec")]);
         prepared(command, self.0.path(), arguments)
     }
 
