@@ -2,8 +2,9 @@
 
 use super::bounds::Bounds;
 
-/// Boxes under one lowest node.
-const BUNCH: usize = 8;
+/// Boxes under one lowest node. Nodes are as large as two boxes: with fewer boxes under each, the tree would weigh as much as what
+/// it holds.
+const BUNCH: usize = 16;
 
 /// A binary tree over boxes in the order of Morton's curve (1966), level by level, the lowest one first.
 pub(super) struct Tree {
