@@ -107,10 +107,17 @@ impl Work<'_> {
             return None;
         };
         let named = paint.unwrap_or(leaf.material);
-        if let Some(known) = self.interned.leaves.get(&(id, named)) {
-            return Some(*known);
+        match self.interned.leaves.get(&(id, named)) {
+            Some(known) => Some(*known),
+            None => {
+                let shape = self.shapes.intern(leaf.base, &self.scene.transform(leaf));
+                Some(self.add(id, named, shape))
+            }
         }
-        let shape = self.shapes.intern(leaf.base, &self.scene.transform(leaf));
+    }
+
+    /// Takes up a leaf that is not there yet.
+    fn add(&mut self, id: SolidId, named: MaterialId, shape: u32) -> u32 {
         let material = *self.interned.materials.entry(named).or_insert_with(|| {
             self.flat.materials.push(named);
             self.flat.materials.len() as u32 - 1
@@ -122,27 +129,32 @@ impl Work<'_> {
             solid: id.0,
         });
         self.interned.leaves.insert((id, named), number);
-        Some(number)
+        number
     }
 
     /// A leaf of the root's unions. A second one with the same surface can't be seen: the left one owns it.
     fn lone_leaf(&mut self, id: SolidId, paint: Option<MaterialId>, alone: &mut HashSet<u32>) {
-        let SolidKind::Leaf(base) = &self.scene.solid(id).kind else {
+        let SolidKind::Leaf(leaf) = &self.scene.solid(id).kind else {
             return;
         };
-        let shape = self.shapes.intern(base.base, &self.scene.transform(base));
-        if alone.insert(shape)
-            && let Some(leaf) = self.leaf(id, paint)
-        {
-            let (program, members) = (self.flat.program.len() as u32, self.flat.members.len() as u32);
-            self.flat.program.push(Instruction::member(0));
-            self.flat.members.push(leaf);
-            self.flat.islands.push(Island {
-                program: (program, program + 1),
-                members: (members, members + 1),
-                bounds: self.facts[id.index()].bounds,
-            });
+        let named = paint.unwrap_or(leaf.material);
+        let known = self.interned.leaves.get(&(id, named)).copied();
+        let shape = match known {
+            Some(known) => self.flat.leaves[known as usize].shape,
+            None => self.shapes.intern(leaf.base, &self.scene.transform(leaf)),
+        };
+        if !alone.insert(shape) {
+            return;
         }
+        let leaf = known.unwrap_or_else(|| self.add(id, named, shape));
+        let (program, members) = (self.flat.program.len() as u32, self.flat.members.len() as u32);
+        self.flat.program.push(Instruction::member(0));
+        self.flat.members.push(leaf);
+        self.flat.islands.push(Island {
+            program: (program, program + 1),
+            members: (members, members + 1),
+            bounds: self.facts[id.index()].bounds,
+        });
     }
 
     /// A tree of intersections, subtractions and unions below them.
