@@ -30,18 +30,10 @@ impl Mask {
     /// If the frame has no layer of paths.
     #[must_use]
     pub fn of(reference: &Frame) -> Self {
-        let Some(paths) = &reference.paths else {
+        let Some(calm) = reference.calm() else {
             panic!("the reference was not asked for paths");
         };
-        let (width, height) = (reference.picture.width() as usize, reference.picture.height() as usize);
-        let calm = (0..width * height)
-            .map(|i| {
-                let (x, y) = (i % width, i / width);
-                let columns = x.saturating_sub(1)..(x + 2).min(width);
-                let mut rows = y.saturating_sub(1)..(y + 2).min(height);
-                rows.all(|row| columns.clone().all(|column| paths[row * width + column] == paths[i]))
-            })
-            .collect();
+        let width = reference.picture.width() as usize;
         Self { calm, width }
     }
 

@@ -119,6 +119,23 @@ pub struct Frame {
     pub stats: Stats,
 }
 
+impl Frame {
+    /// Which pixels are calm: their whole neighbourhood of 3 by 3 took the same ways through the scene, so that nothing
+    /// changes within a pixel of them. `None` without the layer of paths.
+    #[must_use]
+    pub fn calm(&self) -> Option<Vec<bool>> {
+        let paths = self.paths.as_ref()?;
+        let (width, height) = (self.picture.width() as usize, self.picture.height() as usize);
+        let calm = |i: usize| {
+            let (x, y) = (i % width, i / width);
+            let columns = x.saturating_sub(1)..(x + 2).min(width);
+            let mut rows = y.saturating_sub(1)..(y + 2).min(height);
+            rows.all(|row| columns.clone().all(|column| paths[row * width + column] == paths[i]))
+        };
+        Some((0..width * height).map(calm).collect())
+    }
+}
+
 /// What a frame took, and what was left out of it.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub struct Stats {

@@ -120,7 +120,7 @@ impl Work<'_> {
                 let other = self.scene(scene)?;
                 let mut others = self.machines.others(&other).map_err(said)?;
                 others.push(self.machines.reference(&other).map_err(said)?);
-                let mask = calm.then(|| error::calm(&reference));
+                let mask = calm.then(|| reference.frame.calm().unwrap_or_default());
                 shots.push(reference);
                 Ok(same(&shots, &others, mask.as_deref(), *mirrored))
             }
@@ -217,7 +217,7 @@ fn each<'a, T>(list: &'a [T], off: impl Fn(&'a T) -> (&'a Shot, f64)) -> Vec<Off
 }
 
 fn against(reference: &Shot, shots: &[Shot]) -> Vec<Off> {
-    let calm = error::calm(reference);
+    let calm = reference.frame.calm().unwrap_or_default();
     each(shots, |shot| {
         let leaves = shot
             .frame

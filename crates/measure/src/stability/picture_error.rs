@@ -43,22 +43,6 @@ fn share(count: usize, of: usize) -> f64 {
     count as f64 / of.max(1) as f64
 }
 
-/// Which pixels are calm: their neighbourhood of 3 by 3 took the same ways through the scene, so that nothing changes
-/// within a pixel of them. Needs the layer of paths.
-pub(super) fn calm(reference: &Shot) -> Vec<bool> {
-    let paths = reference.frame.paths.as_deref().unwrap_or_default();
-    let picture = &reference.frame.picture;
-    let (width, height) = (picture.width() as usize, picture.height() as usize);
-    (0..paths.len())
-        .map(|i| {
-            let (x, y) = (i % width, i / width);
-            let columns = x.saturating_sub(1)..(x + 2).min(width);
-            let mut rows = y.saturating_sub(1)..(y + 2).min(height);
-            rows.all(|row| columns.clone().all(|column| paths[row * width + column] == paths[i]))
-        })
-        .collect()
-}
-
 /// The largest distance of a wrongly seen pixel's centre from an outline, in units of `unit` radians. `inside` tells how
 /// far within the outline a direction lies, in radians; negative outside.
 pub(super) fn beyond_outline(shot: &Shot, scene: &Scene, unit: f64, inside: impl Fn(DVec3) -> f64) -> f64 {
