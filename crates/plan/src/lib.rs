@@ -15,6 +15,7 @@ mod program;
 mod real;
 mod shapes;
 mod standpoint;
+mod summary;
 
 use std::fmt;
 
@@ -29,6 +30,7 @@ pub use program::{Instruction, OPERATION_SHIFT, PROGRAM_DEPTH, evaluate, owner};
 pub use real::{Real, in_doubles, in_singles};
 pub use shapes::{Shape, ShapeKind};
 pub use standpoint::{Foothold, Standpoint};
+pub use summary::{Dropped, Reason, Summary, Tiers};
 
 /// The deepest hierarchy that a plan may hold: a traversal waits with at most this many nodes.
 pub const HIERARCHY_DEPTH: usize = bvh::MAX_DEPTH;
@@ -65,6 +67,8 @@ pub struct Plan {
     pub reach: Vec<f64>,
     /// How the eye stands to the solid.
     pub standpoint: Standpoint,
+    /// The base objects of the scene that are not here.
+    pub dropped: Vec<Dropped>,
     /// The point of the world that is the plan's origin.
     pub origin: DVec3,
     /// Plan units per world unit: a power of two.
@@ -134,7 +138,13 @@ pub fn plan(scene: &Scene) -> Result<Plan, PlanError> {
     let mut lights = frame::lamps(scene, &place);
     let touches = frame::touches(&mut lights, &flat.shapes);
     let materials: Vec<_> = flat.materials.iter().map(|id| *scene.material(*id)).collect();
+    let kept = flat.leaves.iter().map(|leaf| leaf.solid);
+    let reached = |number: usize| facts.get(number).is_some_and(|facts| facts.leaves > 0);
     let mut plan = Plan {
+        dropped: summary::dropped(scene, kept, reached, |number| match facts[number].bounds.is_empty() {
+            true => Reason::Nothing,
+            false => Reason::Twin,
+        }),
         reach: frame::reach(scene, &materials, &lights),
         standpoint: Standpoint::OUTSIDE,
         origin: place.origin,
