@@ -107,6 +107,7 @@ pub fn frame(tracer: &mut dyn Tracer, window: Window, limits: Limits, paths: boo
             ids: true,
             exact: true,
             paths,
+            ..Layers::default()
         },
         watch: &Watch::new(),
     };

@@ -8,6 +8,8 @@ mod hierarchy;
 mod path;
 mod pixel;
 mod ray;
+mod refine;
+mod sampled;
 mod shade;
 mod shape;
 mod vector;
@@ -16,10 +18,12 @@ use std::ops::Range;
 
 use rayon::ThreadPool;
 use rayon::prelude::*;
-use scenec_picture::{Exact, Frame, NOTHING, Picture, Request, Stats, TraceError, Tracer};
+use scenec_picture::{Exact, Frame, NOTHING, Picture, Request, Spread, Stats, TraceError, Tracer};
 use scenec_plan::{Packed, Plan, Real, in_doubles, in_singles};
 
 use pixel::Pixel;
+pub use refine::{Refined, Task};
+pub use sampled::Sampled;
 
 /// A picture is handed to threads in runs of pixels of about this many samples, so that progress and a stop are noticed
 /// soon and yet handing out costs nothing.
@@ -78,6 +82,7 @@ impl<R: Real> Tracer for Cpu<R> {
         let count = picture.pixels().len();
         let mut ids = request.layers.ids.then(|| vec![NOTHING; count]);
         let mut exact = request.layers.exact.then(|| vec![[0.0; 3]; count]);
+        let mut spread = request.layers.spread.then(|| vec![Spread::default(); count]);
 
         let (corner, size) = ([window.x, window.y], [window.width, window.height]);
         let limits = request.limits;
@@ -85,7 +90,7 @@ impl<R: Real> Tracer for Cpu<R> {
 
         let scene = &self.scene;
         let run = (RUN_SAMPLES / scene.samples.len().max(1)).max(1);
-        let runs = runs(run, picture.pixels_mut(), ids.as_mut(), exact.as_mut());
+        let runs = runs(run, picture.pixels_mut(), ids.as_mut(), exact.as_mut(), spread.as_mut());
         let stats = self.threads.install(|| {
             runs.into_par_iter()
                 .map(|run| {
@@ -93,7 +98,7 @@ impl<R: Real> Tracer for Cpu<R> {
                         return None;
                     }
                     let mut pixels = vec![Pixel::default(); run.picture.len()];
-                    let stats = dispatch::trace_run(scene, run.range.clone(), &mut pixels);
+                    let stats = dispatch::trace_run(scene, run.range.clone(), request.layers.spread, &mut pixels);
                     run.store(&pixels);
                     request.watch.advance(pixels.len() as u64);
                     Some(stats)
@@ -106,6 +111,7 @@ impl<R: Real> Tracer for Cpu<R> {
             ids,
             exact,
             paths: None,
+            spread,
             stats,
         })
     }
@@ -117,6 +123,7 @@ struct Run<'a> {
     picture: &'a mut [[f32; 3]],
     ids: Option<&'a mut [u32]>,
     exact: Option<&'a mut [[f64; 3]]>,
+    spread: Option<&'a mut [Spread]>,
 }
 
 fn runs<'a>(
@@ -124,9 +131,11 @@ fn runs<'a>(
     picture: &'a mut [[f32; 3]],
     ids: Option<&'a mut Vec<u32>>,
     exact: Option<&'a mut Exact>,
+    spread: Option<&'a mut Vec<Spread>>,
 ) -> Vec<Run<'a>> {
     let mut ids = ids.map(|ids| ids.chunks_mut(run));
     let mut exact = exact.map(|exact| exact.chunks_mut(run));
+    let mut spread = spread.map(|spread| spread.chunks_mut(run));
     picture
         .chunks_mut(run)
         .enumerate()
@@ -135,6 +144,7 @@ fn runs<'a>(
             picture,
             ids: ids.as_mut().and_then(Iterator::next),
             exact: exact.as_mut().and_then(Iterator::next),
+            spread: spread.as_mut().and_then(Iterator::next),
         })
         .collect()
 }
@@ -149,6 +159,9 @@ impl Run<'_> {
         }
         for (to, pixel) in self.exact.into_iter().flatten().zip(pixels) {
             *to = in_doubles(pixel.colour);
+        }
+        for (to, pixel) in self.spread.into_iter().flatten().zip(pixels) {
+            *to = pixel.spread;
         }
     }
 }

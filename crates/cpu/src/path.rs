@@ -1,6 +1,6 @@
 //! The tree of rays behind one sample: Whitted's recursion (1980) as a loop over a bounded stack.
 
-use scenec_picture::NOTHING;
+use scenec_picture::{NOTHING, Stats};
 use scenec_plan::packed_structs::Material;
 use scenec_plan::{Packed, Real};
 
@@ -22,14 +22,28 @@ struct Branch<R> {
 }
 
 /// What one pixel has used up and left out.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Spent<R> {
     /// Rays, shadow rays aside.
     pub(crate) rays: u32,
     /// The most that the dropped branches could have added.
     pub(crate) dropped: R,
+    /// The most that may yet be dropped for being small.
+    pub(crate) spare: R,
     /// Whether a branch was dropped for the budget.
     pub(crate) over: bool,
+}
+
+impl<R: Real> Spent<R> {
+    /// Nothing used, and this much that may be dropped for being small.
+    pub(crate) const fn new(spare: R) -> Self {
+        Self {
+            rays: 0,
+            dropped: R::ZERO,
+            spare,
+            over: false,
+        }
+    }
 }
 
 /// Rays by kind.
@@ -38,6 +52,18 @@ pub(crate) struct Tally {
     pub(crate) shadow: u64,
     pub(crate) reflected: u64,
     pub(crate) refracted: u64,
+}
+
+impl Tally {
+    /// The stats with these rays in them.
+    pub(crate) const fn counted(self, stats: Stats) -> Stats {
+        Stats {
+            shadow: self.shadow,
+            reflected: self.reflected,
+            refracted: self.refracted,
+            ..stats
+        }
+    }
 }
 
 /// Follows paths; one a thread, since it keeps its room.
@@ -137,7 +163,8 @@ impl<'a, R: Real> Walker<'a, R> {
         let weight = parent.weight * share;
         let bounces = parent.bounces - 1;
         let most = weight.abs() * self.scene.reach[bounces as usize];
-        if most < self.scene.frame.cutoff {
+        if most < self.scene.frame.cutoff && most <= spent.spare {
+            spent.spare = spent.spare - most;
             spent.dropped += most;
             return None;
         }

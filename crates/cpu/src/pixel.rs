@@ -2,12 +2,14 @@
 
 use std::ops::Range;
 
-use scenec_picture::{NOTHING, Stats};
+use scenec_picture::{NOTHING, Spread, Stats};
 use scenec_plan::packed_structs::Frame;
-use scenec_plan::{Packed, Real};
+use scenec_plan::{Packed, Real, in_doubles};
 
 use crate::path::{Spent, Walker};
 use crate::ray::{End, Ray};
+use crate::refine::{Refined, Task};
+use crate::sampled::Sampled;
 use crate::vector::{Vector, dot, fma, neg, normalize, scale};
 
 /// A traced pixel.
@@ -17,6 +19,8 @@ pub(crate) struct Pixel<R> {
     pub(crate) colour: Vector<R>,
     /// The solid that its first sample hits.
     pub(crate) solid: u32,
+    /// How far its samples are apart.
+    pub(crate) spread: Spread,
 }
 
 impl<R: Real> Default for Pixel<R> {
@@ -24,13 +28,20 @@ impl<R: Real> Default for Pixel<R> {
         Self {
             colour: [R::ZERO; 3],
             solid: NOTHING,
+            spread: Spread::default(),
         }
     }
 }
 
-/// Traces the pixels with these numbers, counted row by row within the window.
+/// Traces the pixels with these numbers, counted row by row within the window; `spread` tells whether anybody asks how
+/// far their samples are apart.
 #[inline(always)]
-pub(crate) fn trace_run<R: Real>(scene: &Packed<R>, range: Range<usize>, pixels: &mut [Pixel<R>]) -> Stats {
+pub(crate) fn trace_run<R: Real>(
+    scene: &Packed<R>,
+    range: Range<usize>,
+    spread: bool,
+    pixels: &mut [Pixel<R>],
+) -> Stats {
     let mut walker = Walker::new(scene);
     let mut stats = Stats::default();
     let columns = scene.frame.window_width as usize;
@@ -38,7 +49,8 @@ pub(crate) fn trace_run<R: Real>(scene: &Packed<R>, range: Range<usize>, pixels:
     for (number, pixel) in range.zip(pixels) {
         let column = scene.frame.window_x + (number % columns) as u32;
         let row = scene.frame.window_y + (number / columns) as u32;
-        let mut spent = Spent::default();
+        let mut spent = Spent::new(R::INFINITY);
+        let mut sampled = spread.then(Sampled::default);
         let mut sum = [R::ZERO; 3];
         for (k, point) in scene.samples.iter().enumerate() {
             if spent.rays >= scene.frame.ray_budget {
@@ -50,6 +62,9 @@ pub(crate) fn trace_run<R: Real>(scene: &Packed<R>, range: Range<usize>, pixels:
             stats.primary += 1;
             let (colour, solid) = walker.walk(ray(&scene.frame, column, row, point), &mut spent);
             sum = fma(colour, R::ONE, sum);
+            if let Some(sampled) = &mut sampled {
+                sampled.add(in_doubles(colour), 0.0);
+            }
             if k == 0 {
                 pixel.solid = solid;
             }
@@ -59,13 +74,51 @@ pub(crate) fn trace_run<R: Real>(scene: &Packed<R>, range: Range<usize>, pixels:
         } else {
             scale(sum, share)
         };
-        stats.dropped = stats.dropped.max((spent.dropped * share).to_f64());
+        let dropped = (spent.dropped * share).to_f64();
+        if let Some(sampled) = &sampled {
+            pixel.spread = sampled.spread_with(dropped);
+        }
+        stats.dropped = stats.dropped.max(dropped);
         stats.over_budget += u64::from(spent.over);
     }
-    stats.shadow = walker.tally.shadow;
-    stats.reflected = walker.tally.reflected;
-    stats.refracted = walker.tally.refracted;
-    stats
+    walker.tally.counted(stats)
+}
+
+/// Samples each pixel of the task until it has enough, at one of the stops, or the points or the rays run out.
+#[inline(always)]
+pub(crate) fn refine_run<R: Real>(scene: &Packed<R>, task: &Task<'_>, first: usize, pixels: &mut [Refined]) -> Stats {
+    let mut walker = Walker::new(scene);
+    let mut stats = Stats::default();
+    let columns = scene.frame.window_width as usize;
+    for (number, pixel) in (first..).zip(pixels) {
+        let place = task.pixels[number] as usize;
+        let column = scene.frame.window_x + (place % columns) as u32;
+        let row = scene.frame.window_y + (place / columns) as u32;
+        let mut sampled = Sampled::default();
+        let (mut rays, mut over) = (0, false);
+        for point in &scene.samples {
+            if rays >= scene.frame.ray_budget {
+                break;
+            }
+            stats.primary += 1;
+            let mut spent = Spent::new(R::of(task.spare));
+            spent.rays = rays + 1;
+            let (colour, _) = walker.walk(ray(&scene.frame, column, row, point), &mut spent);
+            sampled.add(in_doubles(colour), spent.dropped.to_f64());
+            (rays, over) = (spent.rays, over || spent.over);
+            if sampled.is_stop() && (task.enough)(number, &sampled) {
+                break;
+            }
+        }
+        *pixel = Refined {
+            mean: sampled.mean(),
+            samples: sampled.count(),
+            spread: sampled.spread(),
+        };
+        stats.dropped = stats.dropped.max(pixel.spread.dropped.into());
+        stats.over_budget += u64::from(over);
+    }
+    walker.tally.counted(stats)
 }
 
 /// The ray from the eye through a point of a pixel, measured from the pixel's centre. The whole part of the position is

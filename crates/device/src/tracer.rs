@@ -179,6 +179,7 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
             ids,
             exact,
             paths: None,
+            spread: None,
             stats,
         })
     }

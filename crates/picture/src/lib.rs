@@ -26,4 +26,4 @@ pub use load::{LoadError, load, load_raw};
 pub use overlay::overlay;
 pub use picture::{MAX_PIXELS, Picture, TooManyPixels};
 pub use save::{SaveError, save, write_whole};
-pub use trace::{Exact, Frame, Layers, Limits, NOTHING, Request, Stats, TraceError, Tracer, Watch, Window};
+pub use trace::{Exact, Frame, Layers, Limits, NOTHING, Request, Spread, Stats, TraceError, Tracer, Watch, Window};

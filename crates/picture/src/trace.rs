@@ -95,6 +95,22 @@ pub struct Layers {
     pub exact: bool,
     /// A number for the whole path tree of each pixel's first sample, from tracers that can tell.
     pub paths: bool,
+    /// How far the samples of each pixel are apart, from tracers that can tell.
+    pub spread: bool,
+}
+
+/// What the samples of a pixel tell besides their mean, component by component.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Spread {
+    /// The least of any sample.
+    pub low: [f32; 3],
+    /// The most of any sample.
+    pub high: [f32; 3],
+    /// The standard error of the mean, from the means of 8 to 15 blocks of samples that follow one another; infinite
+    /// where there are fewer than 8 samples.
+    pub error: [f32; 3],
+    /// The most that the dropped branches could have added to the mean.
+    pub dropped: f32,
 }
 
 /// What a leaf layer says of a ray that meets nothing.
@@ -115,6 +131,8 @@ pub struct Frame {
     /// Equal for two pixels only if their first samples took the same ways: the same leaves, the same lights seen, the
     /// same turns. If asked for and there.
     pub paths: Option<Vec<u64>>,
+    /// How far the samples of each pixel are apart, if asked for and there.
+    pub spread: Option<Vec<Spread>>,
     /// What it took.
     pub stats: Stats,
 }

@@ -135,6 +135,7 @@ impl Tracer for Reference {
             ids,
             exact,
             paths,
+            spread: None,
             stats,
         })
     }

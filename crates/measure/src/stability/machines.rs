@@ -70,6 +70,7 @@ fn shoot(tracer: &mut dyn Tracer, scene: &Scene, single: bool) -> Result<Shot, T
             ids: true,
             exact: true,
             paths: true,
+            ..Layers::default()
         },
         watch: &watch,
     })?;

@@ -11,6 +11,7 @@ fn trace(scene: &Scene, window: Window, limits: Limits, watch: &Watch) -> Result
         ids: true,
         exact: true,
         paths: true,
+        ..Layers::default()
     };
     Reference::new(scene).trace(&Request {
         window,
