@@ -101,9 +101,8 @@ Hit enter_solid(const Scene *scene, const Ray *ray) {
     Cursor cursor = start_cursor(scene, ray, 0, (real)INFINITY);
     for (__global const Island *island = next_island(scene, ray, &cursor); island;
          island = next_island(scene, ray, &cursor)) {
-        Crossings crossings;
-        cross(&crossings, scene, island, ray);
-        Hit hit = change(&crossings, 0, cursor.until, false);
+        bool held;
+        Hit hit = change(scene, island, ray, 0, cursor.until, false, &held);
         if (hit.leaf != NOTHING &&
             (hit.distance < nearest.distance || (hit.distance == nearest.distance && hit.leaf < nearest.leaf))) {
             cursor.until = hit.distance;
@@ -124,11 +123,10 @@ Hit leave_solid(const Scene *scene, const Ray *ray) {
         Cursor cursor = start_cursor(scene, ray, at, at);
         for (__global const Island *island = next_island(scene, ray, &cursor); island;
              island = next_island(scene, ray, &cursor)) {
-            Crossings crossings;
-            cross(&crossings, scene, island, ray);
-            if (!holds(&crossings, at))
+            bool held;
+            Hit hit = change(scene, island, ray, at, (real)INFINITY, true, &held);
+            if (!held)
                 continue;
-            Hit hit = change(&crossings, at, (real)INFINITY, true);
             if (hit.leaf == NOTHING)
                 return hit;
             if (farthest.leaf == NOTHING || hit.distance > farthest.distance ||
@@ -169,9 +167,8 @@ bool blocked(const Scene *scene, const Ray *ray, real until) {
     Cursor cursor = start_cursor(scene, ray, 0, until);
     for (__global const Island *island = next_island(scene, ray, &cursor); island;
          island = next_island(scene, ray, &cursor)) {
-        Crossings crossings;
-        cross(&crossings, scene, island, ray);
-        if (change(&crossings, 0, until, false).distance < until)
+        bool held;
+        if (change(scene, island, ray, 0, until, false, &held).distance < until)
             return true;
     }
     return false;

@@ -8,6 +8,7 @@ typedef struct {
     __global const Shape *shapes;
     __global const Leaf *leaves;
     __global const Island *islands;
+    __global const Cell *cells;
     __global const uint *program;
     __global const uint *members;
     __global const Node *nodes;

@@ -26,8 +26,8 @@ Ray camera_ray(__global const Frame *frame, uint column, uint row, real right, r
 
 /* Traces the window's rows from `first_row` up to, not including, `end_row`; outcomes are counted from there. */
 __kernel void trace(__global const Frame *frame, __global const Shape *shapes, __global const Leaf *leaves,
-                    __global const Island *islands, __global const uint *program, __global const uint *members,
-                    __global const Node *nodes, __global const Material *materials, __global const Light *lights,
+                    __global const Island *islands, __global const Cell *cells, __global const uint *program,
+                    __global const uint *members, __global const Node *nodes, __global const Material *materials, __global const Light *lights,
                     __global const Touch *touches, __global const real *samples, __global const real *reach, __global Outcome *outcomes,
                     uint first_row, uint end_row) {
     uint column = get_global_id(0);
@@ -39,6 +39,7 @@ __kernel void trace(__global const Frame *frame, __global const Shape *shapes, _
     scene.shapes = shapes;
     scene.leaves = leaves;
     scene.islands = islands;
+    scene.cells = cells;
     scene.program = program;
     scene.members = members;
     scene.nodes = nodes;

@@ -3,9 +3,16 @@
 use std::fmt::Write;
 
 /// A small generator of numbers that are the same everywhere (Steele, Lea and Flood 2014, SplitMix64).
-struct Numbers(u64);
+#[derive(Clone, Debug)]
+pub struct Numbers(u64);
 
 impl Numbers {
+    /// The same numbers for the same seed.
+    #[must_use]
+    pub const fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
     fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
@@ -14,11 +21,13 @@ impl Numbers {
         z ^ z >> 31
     }
 
-    fn below(&mut self, bound: u64) -> u64 {
+    /// A whole number from 0 up to, not including, a bound.
+    pub fn below(&mut self, bound: u64) -> u64 {
         self.next() % bound
     }
 
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    /// A number between two.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 }
@@ -27,7 +36,7 @@ impl Numbers {
 /// half-spaces, ellipsoids among the spheres, some mirrors and glass, and now and then the eye inside.
 #[must_use]
 pub fn random_scene(seed: u64) -> String {
-    let mut numbers = Numbers(seed);
+    let mut numbers = Numbers::new(seed);
     let mut text = String::new();
     let near = numbers.below(4) == 0;
     let eye = if near { 0.6 } else { 4.0 };
@@ -108,7 +117,7 @@ fn leaf(text: &mut String, numbers: &mut Numbers, i: u64) {
 /// quarter ones, so that faces coincide, balls touch and contain each other, and edges meet; as people place things.
 #[must_use]
 pub fn aligned_scene(seed: u64) -> String {
-    let mut numbers = Numbers(seed);
+    let mut numbers = Numbers::new(seed);
     let mut text = String::from(
         "width := 48\nheight := 36\nraydepth := 4\nlookat_x := .02\nlookat_y := -.03\nlookat_z := .01\n\
          ambient_r := .3\nambient_g := .5\nambient_b := .9\nambient_int_r := 1\nambient_int_g := 1\nambient_int_b := 1\n\

@@ -1,10 +1,17 @@
 //! Where a ray crosses the surface of one island: the next distance at which the island's truth changes.
+//!
+//! An island that is divided into cells is followed from cell to cell. What is left of it in a cell has the very truths of
+//! the whole there, so both ways find the very same crossings.
 
-use scenec_plan::packed_structs::Island;
-use scenec_plan::{Instruction, Packed, Real, evaluate, owner};
+use scenec_plan::packed_structs::{Cell, Island};
+use scenec_plan::{CELL_FULL, CELL_PART, CELLS_DEPTH, CELLS_REACH, Packed, Real};
 
+use crate::crossings::{Crossings, March, class_of, leaf_interval};
 use crate::ray::Ray;
-use crate::shape::{Interval, interval};
+use crate::shape::Interval;
+
+/// No cells.
+const NONE: u32 = u32::MAX;
 
 /// A crossing.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +34,7 @@ pub(crate) fn entered<R: Real>(
     intervals: &mut Vec<Interval<R>>,
 ) -> Option<Hit<R>> {
     let Some(leaf) = lone(scene, island) else {
-        return Crossings::new(scene, island, ray, intervals).change(R::ZERO, until, false);
+        return change(scene, island, ray, (R::ZERO, until), false, intervals).0;
     };
     let (enter, leave) = leaf_interval(scene, leaf, ray);
     if enter <= R::ZERO {
@@ -67,160 +74,115 @@ pub(crate) fn left<R: Real>(
             ..endless(leaf)
         });
     }
-    let crossings = Crossings::new(scene, island, ray, intervals);
+    let (hit, held) = change(scene, island, ray, (from, R::INFINITY), true, intervals);
     let first = scene.members[island.members as usize];
-    crossings
-        .holds(from)
-        .then(|| crossings.change(from, R::INFINITY, true).unwrap_or(endless(first)))
+    held.then(|| hit.unwrap_or(endless(first)))
 }
 
 /// The leaf of an island that is nothing else, as most islands are.
 #[inline(always)]
 fn lone<R>(scene: &Packed<R>, island: &Island) -> Option<u32> {
-    (island.program_end - island.program == 1).then(|| scene.members[island.members as usize])
+    // A complement stands under an operation of its own.
+    let alone = island.program_end - island.program == 1 && scene.program[island.program as usize] == 0;
+    alone.then(|| scene.members[island.members as usize])
 }
 
+/// The first change of an island after the first distance and not after the second, of a ray that is inside (or not) to
+/// begin with; and whether the island says so too.
 #[inline(always)]
-fn class_of<R>(scene: &Packed<R>, leaf: u32) -> u32 {
-    scene.shapes[scene.leaves[leaf as usize].shape as usize].class
+fn change<R: Real>(
+    scene: &Packed<R>,
+    island: &Island,
+    ray: &Ray<R>,
+    (from, until): (R, R),
+    inside: bool,
+    intervals: &mut Vec<Interval<R>>,
+) -> (Option<Hit<R>>, bool) {
+    // Farther out, rounding is larger than what the cells allow for.
+    let far = ray.origin.iter().any(|x| x.abs() > R::of(CELLS_REACH));
+    if island.cells == NONE || far {
+        let crossings = Crossings::new(scene, island, ray, intervals);
+        let mut march = crossings.start(from, inside);
+        if inside && !march.held {
+            return (None, false);
+        }
+        let hit = crossings.follow(&mut march, until);
+        return (hit.or_else(|| march.finish()), march.held);
+    }
+    let mut march: Option<March<R>> = None;
+    let mut walk = Walk::new(scene, ray, island.cells, from, until);
+    while let Some((cell, end)) = walk.next() {
+        if cell.kind == CELL_PART {
+            let crossings = Crossings::new(scene, &scene.islands[cell.first as usize], ray, intervals);
+            let march = march.get_or_insert_with(|| crossings.start(from, inside));
+            if inside && !march.held {
+                return (None, false);
+            }
+            if let Some(hit) = crossings.follow(march, end) {
+                return (Some(hit), march.held);
+            }
+            march.at = end;
+        } else {
+            let march = march.get_or_insert_with(|| March::new(from, inside, cell.kind == CELL_FULL, None));
+            march.at = end;
+        }
+    }
+    match march {
+        Some(march) if march.held || !inside => (march.finish(), march.held),
+        _ => (None, false),
+    }
 }
 
-#[inline(always)]
-fn leaf_interval<R: Real>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>) -> Interval<R> {
-    let touches = &scene.touches[ray.end.touches as usize..ray.end.touches_end as usize];
-    interval(&scene.shapes[scene.leaves[leaf as usize].shape as usize], ray, touches)
-}
-
-/// The intervals of one island's members along one ray.
-struct Crossings<'a, R> {
+/// Hands out an island's cells along a ray, near ones first, each with the distance at which the ray leaves it.
+struct Walk<'a, R> {
     scene: &'a Packed<R>,
-    island: &'a Island,
-    intervals: &'a [Interval<R>],
-    /// The class of the surface that the ray starts on.
-    class: u32,
+    ray: &'a Ray<R>,
+    /// Where the cell that comes next begins.
+    at: R,
+    waiting: [(u32, R); CELLS_DEPTH + 1],
+    count: usize,
 }
 
-impl<'a, R: Real> Crossings<'a, R> {
+impl<'a, R: Real> Walk<'a, R> {
     #[inline(always)]
-    fn new(scene: &'a Packed<R>, island: &'a Island, ray: &Ray<R>, intervals: &'a mut Vec<Interval<R>>) -> Self {
-        let members = &scene.members[island.members as usize..island.members_end as usize];
-        intervals.clear();
-        intervals.extend(members.iter().map(|leaf| leaf_interval(scene, *leaf, ray)));
+    fn new(scene: &'a Packed<R>, ray: &'a Ray<R>, first: u32, from: R, until: R) -> Self {
+        let mut waiting = [(0, R::ZERO); CELLS_DEPTH + 1];
+        waiting[0] = (first, until);
         Self {
             scene,
-            island,
-            intervals,
-            class: ray.class,
+            ray,
+            at: from,
+            waiting,
+            count: 1,
         }
     }
 
-    /// The first change after `from` and not after `until`, of a ray that is inside (or not) to begin with.
     #[inline(always)]
-    fn change(&self, from: R, until: R, inside: bool) -> Option<Hit<R>> {
-        let mut at = from;
-        let mut settled = self.holds(at) == inside;
-        loop {
-            let mut next = R::INFINITY;
-            for &(enter, leave) in self.intervals {
-                if enter < leave {
-                    if enter > at && enter < next {
-                        next = enter;
-                    }
-                    if leave > at && leave < next {
-                        next = leave;
-                    }
+    fn next(&mut self) -> Option<(&'a Cell, R)> {
+        self.count = self.count.checked_sub(1)?;
+        let (first, mut end) = self.waiting[self.count];
+        let mut cell = &self.scene.cells[first as usize];
+        while cell.kind < CELL_PART {
+            let axis = cell.kind as usize;
+            let (origin, direction) = (self.ray.origin[axis], self.ray.direction[axis]);
+            let wall = R::of_f32(cell.wall);
+            // A ray along the wall gives an infinity or no number, and stays on its side.
+            let crossed = (wall - origin) / direction;
+            let below = origin < wall || (origin == wall && direction <= R::ZERO);
+            let (near, far) = (cell.first + u32::from(!below), cell.first + u32::from(below));
+            let next = if crossed > R::ZERO && crossed <= self.at {
+                far
+            } else {
+                if crossed > R::ZERO && crossed < end {
+                    self.waiting[self.count] = (far, end);
+                    self.count += 1;
+                    end = crossed;
                 }
-            }
-            if next > until || next == R::INFINITY {
-                return if settled { None } else { self.crease(from, next) };
-            }
-            at = next;
-            let now = self.holds(at);
-            if settled && now != inside {
-                return Some(self.owner(at));
-            }
-            if !settled && now == inside {
-                if let Some(hit) = self.crease(from, at) {
-                    return Some(hit);
-                }
-                settled = true;
-            }
+                near
+            };
+            cell = &self.scene.cells[next as usize];
         }
-    }
-
-    /// A ray that is on the wrong side of the surface at its start, until `end`, starts within rounding of another
-    /// surface than its own. It crosses that surface at the start if the crossing behind it is the nearer one: then it
-    /// runs into a crease and is stopped there. If the crossing ahead is nearer, it leaves the crease and goes on.
-    #[inline(always)]
-    fn crease(&self, from: R, end: R) -> Option<Hit<R>> {
-        let mut before = -R::INFINITY;
-        for (local, &(enter, leave)) in (0..).zip(self.intervals) {
-            if enter < leave && class_of(self.scene, self.leaf(local)) != self.class {
-                for distance in [enter, leave] {
-                    if distance <= from && distance > before {
-                        before = distance;
-                    }
-                }
-            }
-        }
-        let stopped = from - before < end - from;
-        stopped
-            .then(|| self.leftmost(before))
-            .flatten()
-            .map(|hit| Hit { distance: from, ..hit })
-    }
-
-    /// The crossing of a distance where the island changes: of operands that change together, the left one owns it.
-    #[inline(always)]
-    fn owner(&self, distance: R) -> Hit<R> {
-        let local = owner(self.program(), |local| {
-            let (enter, leave) = self.intervals[local as usize];
-            (
-                enter < distance && distance <= leave,
-                enter <= distance && distance < leave,
-            )
-        });
-        self.hit(local, distance)
-    }
-
-    /// The leftmost member of another class than the ray's start that has an end at a distance.
-    #[inline(always)]
-    fn leftmost(&self, distance: R) -> Option<Hit<R>> {
-        let ends =
-            |(_, (enter, leave)): &(u32, &Interval<R>)| enter < leave && (*enter == distance || *leave == distance);
-        let mut ending = (0..).zip(self.intervals).filter(ends);
-        let other = ending.find(|(local, _)| class_of(self.scene, self.leaf(*local)) != self.class);
-        other.map(|(local, _)| self.hit(local, distance))
-    }
-
-    /// An end of a member.
-    #[inline(always)]
-    fn hit(&self, local: u32, distance: R) -> Hit<R> {
-        Hit {
-            distance,
-            leaf: self.leaf(local),
-            leaving: self.intervals[local as usize].1 == distance,
-        }
-    }
-
-    #[inline(always)]
-    fn leaf(&self, local: u32) -> u32 {
-        self.scene.members[(self.island.members + local) as usize]
-    }
-
-    #[inline(always)]
-    fn program(&self) -> impl Iterator<Item = Instruction> + '_ {
-        let words = &self.scene.program[self.island.program as usize..self.island.program_end as usize];
-        words.iter().map(|word| Instruction(*word))
-    }
-
-    /// Whether the island holds the ray at `distance`: each member counts from its first distance up to, not including,
-    /// its last.
-    #[inline(always)]
-    fn holds(&self, distance: R) -> bool {
-        evaluate(self.program(), |local| {
-            let (enter, leave) = self.intervals[local as usize];
-            enter <= distance && distance < leave
-        })
+        self.at = end;
+        Some((cell, end))
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! It must not know OpenCL or the scene model. The kernels of the device tracer follow the same algorithm step by step.
 
+mod crossings;
 mod dispatch;
 mod event;
 mod hierarchy;

@@ -49,6 +49,7 @@ struct Scene<R> {
     shapes: Buffer<packed_structs::Shape<R>>,
     leaves: Buffer<packed_structs::Leaf>,
     islands: Buffer<packed_structs::Island>,
+    cells: Buffer<packed_structs::Cell>,
     program: Buffer<u32>,
     members: Buffer<u32>,
     nodes: Buffer<packed_structs::Node>,
@@ -65,6 +66,7 @@ impl<R: Real + Plain> Scene<R> {
             shapes: session.upload(&packed.shapes)?,
             leaves: session.upload(&packed.leaves)?,
             islands: session.upload(&packed.islands)?,
+            cells: session.upload(&packed.cells)?,
             program: session.upload(&packed.program)?,
             members: session.upload(&packed.members)?,
             nodes: session.upload(&packed.nodes)?,
@@ -101,11 +103,12 @@ impl<R: Real + Plain> OpenCl<R> {
         end: u32,
     ) -> Result<u64, DeviceError> {
         let scene = &self.scene;
-        let args: [Arg<'_>; 15] = [
+        let args: [Arg<'_>; 16] = [
             frame.into(),
             (&scene.shapes).into(),
             (&scene.leaves).into(),
             (&scene.islands).into(),
+            (&scene.cells).into(),
             (&scene.program).into(),
             (&scene.members).into(),
             (&scene.nodes).into(),

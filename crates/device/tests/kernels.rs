@@ -58,7 +58,9 @@ fn features(bits: u32) -> Features {
         balls: on(0),
         ellipsoids: on(1),
         half_spaces: on(2),
+        products: on(14),
         programs: on(3),
+        cells: on(15),
         hierarchy: on(4),
         lights: on(5),
         touches: on(13),
@@ -74,7 +76,7 @@ fn features(bits: u32) -> Features {
 }
 
 /// Switches in the table above.
-const SWITCHES: u32 = 14;
+const SWITCHES: u32 = 16;
 
 /// Sets of switches in which every two of them take all four states together; so does each alone.
 fn covering_sets() -> Vec<u32> {

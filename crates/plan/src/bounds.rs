@@ -44,6 +44,15 @@ impl Box3 {
         }
     }
 
+    /// The box of a leaf's complement: the rest of the world, but for a half-space, whose complement is one as well.
+    #[must_use]
+    pub fn of_complement(base: Base, transform: &Transform) -> Self {
+        match base {
+            Base::Sphere => Self::ALL,
+            Base::HalfSpace => half_space(-transform.inverse.transpose().y_axis, transform.centre),
+        }
+    }
+
     /// The points of both.
     #[must_use]
     pub fn intersection(self, other: Self) -> Self {

@@ -3,6 +3,7 @@
 use scenec_scene::Material;
 
 use crate::bvh::MAX_DEPTH;
+use crate::cells::CELLS_DEPTH;
 use crate::{Plan, ShapeKind};
 
 /// Which parts of a tracer a scene needs. What is off may be left out of the code without any change to the picture.
@@ -14,8 +15,12 @@ pub struct Features {
     pub ellipsoids: bool,
     /// Some surface is a plane.
     pub half_spaces: bool,
-    /// Some island is more than one leaf.
+    /// Some island is more than a leaf: an intersection of leaves and complements of leaves, if nothing else.
+    pub products: bool,
+    /// Some island, or what is left of one in a cell, needs a program.
     pub programs: bool,
+    /// Some island is divided into cells.
+    pub cells: bool,
     /// There is a hierarchy.
     pub hierarchy: bool,
     /// There are lights, hence shadow rays.
@@ -52,20 +57,22 @@ impl Features {
         let any_material = |test: fn(&Material) -> bool| plan.materials.iter().any(test);
         let refractions = bounces && any_material(|material| material.refract != 0.0);
         let branching = bounces && any_material(|material| material.refract != 0.0 && material.reflect != 0.0);
-        let largest = plan
-            .islands
-            .iter()
-            .map(|island| (island.members.1 - island.members.0) as usize)
-            .max()
-            .unwrap_or(0);
+        // What is divided is evaluated as a whole only for rays from far away.
+        let whole = plan.islands.iter().filter(|island| island.cells.is_none());
+        let kept = whole
+            .map(|island| island.members)
+            .chain(plan.parts.iter().map(|part| part.members));
+        let largest = kept.map(|members| (members.1 - members.0) as usize).max().unwrap_or(0);
         Self {
             balls: any_shape(ShapeKind::Ball),
             ellipsoids: any_shape(ShapeKind::Ellipsoid),
             half_spaces: any_shape(ShapeKind::HalfSpace),
-            programs: plan
+            products: plan
                 .islands
                 .iter()
-                .any(|island| island.program.1 - island.program.0 > 1),
+                .any(|island| island.product && !plan.is_leaf(island)),
+            programs: plan.islands.iter().any(|island| !island.product) || plan.parts.iter().any(|part| !part.product),
+            cells: !plan.cells.is_empty(),
             hierarchy: !plan.nodes.is_empty(),
             lights: !plan.lights.is_empty(),
             touches: !plan.touches.is_empty(),
@@ -96,7 +103,9 @@ impl Features {
             balls: true,
             ellipsoids: true,
             half_spaces: true,
+            products: true,
             programs: true,
+            cells: true,
             hierarchy: true,
             lights: true,
             touches: true,
@@ -113,12 +122,14 @@ impl Features {
 
     /// Names and values for a kernel's source, and for people.
     #[must_use]
-    pub fn list(&self) -> [(&'static str, u32); 16] {
+    pub fn list(&self) -> [(&'static str, u32); 19] {
         [
             ("BALLS", self.balls.into()),
             ("ELLIPSOIDS", self.ellipsoids.into()),
             ("HALF_SPACES", self.half_spaces.into()),
+            ("PRODUCTS", self.products.into()),
             ("PROGRAMS", self.programs.into()),
+            ("CELLS", self.cells.into()),
             ("HIERARCHY", self.hierarchy.into()),
             ("LIGHTS", self.lights.into()),
             ("TOUCHES", self.touches.into()),
@@ -131,6 +142,7 @@ impl Features {
             ("WAITING", self.waiting),
             ("MEMBERS", self.members),
             ("HIERARCHY_DEPTH", MAX_DEPTH as u32),
+            ("CELLS_DEPTH", CELLS_DEPTH as u32),
         ]
     }
 }

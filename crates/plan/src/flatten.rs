@@ -1,17 +1,20 @@
-//! The root's unions become a list of islands; what is left of the tree becomes programs.
-//!
-//! Every walk keeps its own stack on the heap: a chain of a million unions is a legal file.
+//! The normal form becomes what a tracer reads: islands with their parts and cells, and of leaves, surfaces and materials
+//! those that are left.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
-use scenec_scene::{MaterialId, Op, Scene, SolidId, SolidKind};
+use scenec_scene::{DVec3, MaterialId};
 
+use crate::cells::{Divider, holder};
 use crate::frame::Place;
-use crate::node_facts::NodeFacts;
-use crate::packed::packed_structs::Node;
+use crate::normal::Normal;
+use crate::packed::packed_structs::{Cell, Node};
+use crate::parts::Parts;
+use crate::postfix::{Pruner, Token, write_out};
 use crate::program::Instruction;
-use crate::shapes::{Shape, Shapes};
-use crate::{Box3, Island, Leaf, MAX_PROGRAM, PlanError};
+use crate::shapes::Shape;
+use crate::terms::{Term, Terms};
+use crate::{Box3, Island, Leaf, MAX_PROGRAM, Part, PlanError};
 
 /// The tree laid flat.
 #[derive(Default)]
@@ -23,233 +26,110 @@ pub(crate) struct Flat {
     pub(crate) linear: usize,
     pub(crate) program: Vec<Instruction>,
     pub(crate) members: Vec<u32>,
+    pub(crate) parts: Vec<Part>,
+    pub(crate) cells: Vec<Cell>,
     pub(crate) nodes: Vec<Node>,
+    /// The islands before they are laid flat.
+    drafts: Vec<Draft>,
 }
 
-/// A solid under the outermost paint on the way to it.
-type Painted = (SolidId, Option<MaterialId>);
-
-/// What a walk finds at a solid.
-enum Step {
-    /// A base object.
-    Leaf,
-    /// Nothing but another solid.
-    Inside(Painted),
-    /// Two solids under an operator.
-    Both(Op, SolidId, SolidId),
+/// An island as a tree.
+#[derive(Clone, Debug)]
+struct Draft {
+    bounds: Box3,
+    tree: Tree,
 }
 
-/// A solid without its wrapping: a paint is handed down, and the union or intersection of a solid with itself is that
-/// solid.
-fn step(scene: &Scene, (id, paint): Painted) -> Step {
-    match scene.solid(id).kind {
-        SolidKind::Leaf(_) => Step::Leaf,
-        SolidKind::Paint { inside, material } => Step::Inside((inside, paint.or(Some(material)))),
-        SolidKind::Combine { op, left, right } if left == right && op != Op::Subtraction => Step::Inside((left, paint)),
-        SolidKind::Combine { op, left, right } => Step::Both(op, left, right),
+/// Most islands are a leaf.
+#[derive(Clone, Debug)]
+enum Tree {
+    Leaf { leaf: u32, negative: bool },
+    Tokens(Vec<Token>),
+}
+
+/// Leaves out all leaves, surfaces and materials that no island is made of; world units.
+pub(crate) fn flatten(mut normal: Normal) -> Result<Flat, PlanError> {
+    let (sizes, used) = survey(&normal.terms, &normal.roots, normal.leaves.len());
+    let leaves = sizes.into_iter().max().unwrap_or_default();
+    if leaves > MAX_PROGRAM {
+        return Err(PlanError::ProgramTooLarge { leaves });
     }
+    let mut flat = Flat::default();
+    let numbers = flat.keep(&normal, &used);
+    let bounds: Vec<_> = normal.roots.iter().map(|root| normal.terms.bounds(*root)).collect();
+    for (root, bounds) in std::mem::take(&mut normal.roots).into_iter().zip(bounds) {
+        let tree = match root {
+            Term::Leaf { leaf, negative } => Tree::Leaf {
+                leaf: numbers[leaf as usize],
+                negative,
+            },
+            root => {
+                let mut tokens = Vec::new();
+                write_out(&normal.terms, root, &mut tokens);
+                for token in &mut tokens {
+                    if let Token::Leaf { leaf, .. } = token {
+                        *leaf = numbers[*leaf as usize];
+                    }
+                }
+                Tree::Tokens(tokens)
+            }
+        };
+        flat.drafts.push(Draft { bounds, tree });
+    }
+    Ok(flat)
 }
 
-/// Lays the submitted solid flat, in world units.
-pub(crate) fn flatten(scene: &Scene, facts: &[NodeFacts]) -> Result<Flat, PlanError> {
-    let mut work = Work {
-        scene,
-        facts,
-        shapes: Shapes::default(),
-        interned: Interned::default(),
-        flat: Flat::default(),
+/// How many leaves each root has, every use counted, and which leaves they have.
+fn survey(terms: &Terms, roots: &[Term], leaves: usize) -> (Vec<u64>, Vec<bool>) {
+    let mut used = vec![false; leaves];
+    let sizes = terms.sizes();
+    let size = |term: &Term| match *term {
+        Term::Node(node) => sizes[node as usize],
+        _ => 1,
     };
-    let mut seen = HashSet::new();
-    let mut alone = HashSet::new();
-    let mut open: Vec<Painted> = vec![(scene.root, None)];
-    while let Some((id, paint)) = open.pop() {
-        match step(scene, (id, paint)) {
-            Step::Inside(painted) => open.push(painted),
-            Step::Leaf => work.lone_leaf(id, paint, &mut alone),
-            // A part that is there already adds nothing to a union.
-            Step::Both(..) if !seen.insert((id, paint)) => {}
-            Step::Both(Op::Union, left, right) => open.extend([(right, paint), (left, paint)]),
-            Step::Both(..) => work.tree(id, paint)?,
-        }
-    }
-    work.flat.shapes = work.shapes.list;
-    // The largest numbers that the indices and offsets of the packed form must hold.
-    let counted = [
-        (work.flat.shapes.len(), "surfaces"),
-        (work.flat.program.len(), "operators"),
-        (work.flat.members.len(), "operands"),
-        (work.flat.islands.len(), "objects"),
-    ];
-    match counted.into_iter().find(|(count, _)| *count >= u32::MAX as usize) {
-        Some((_, what)) => Err(PlanError::TooMany(what)),
-        None => Ok(work.flat),
-    }
-}
-
-#[derive(Default)]
-struct Interned {
-    materials: HashMap<MaterialId, u32>,
-    leaves: HashMap<(SolidId, MaterialId), u32>,
-}
-
-struct Work<'a> {
-    scene: &'a Scene,
-    facts: &'a [NodeFacts],
-    shapes: Shapes,
-    interned: Interned,
-    flat: Flat,
-}
-
-impl Work<'_> {
-    /// The number of a leaf; the solid and its material make it.
-    fn leaf(&mut self, id: SolidId, paint: Option<MaterialId>) -> Option<u32> {
-        let SolidKind::Leaf(leaf) = &self.scene.solid(id).kind else {
-            return None;
-        };
-        let named = paint.unwrap_or(leaf.material);
-        match self.interned.leaves.get(&(id, named)) {
-            Some(known) => Some(*known),
-            None => {
-                let shape = self.shapes.intern(leaf.base, &self.scene.transform(leaf));
-                Some(self.add(id, named, shape))
+    let mut seen = vec![false; sizes.len()];
+    let mut open = roots.to_vec();
+    while let Some(term) = open.pop() {
+        match term {
+            Term::Leaf { leaf, .. } => used[leaf as usize] = true,
+            Term::Node(node) if !seen[node as usize] => {
+                seen[node as usize] = true;
+                open.extend(terms.node(term).into_iter().flat_map(|(_, operands)| operands));
             }
+            _ => {}
         }
     }
-
-    /// Takes up a leaf that is not there yet.
-    fn add(&mut self, id: SolidId, named: MaterialId, shape: u32) -> u32 {
-        let material = *self.interned.materials.entry(named).or_insert_with(|| {
-            self.flat.materials.push(named);
-            self.flat.materials.len() as u32 - 1
-        });
-        let number = self.flat.leaves.len() as u32;
-        self.flat.leaves.push(Leaf {
-            shape,
-            material,
-            solid: id.0,
-        });
-        self.interned.leaves.insert((id, named), number);
-        number
-    }
-
-    /// A leaf of the root's unions. A second one with the same surface can't be seen: the left one owns it.
-    fn lone_leaf(&mut self, id: SolidId, paint: Option<MaterialId>, alone: &mut HashSet<u32>) {
-        let SolidKind::Leaf(leaf) = &self.scene.solid(id).kind else {
-            return;
-        };
-        let named = paint.unwrap_or(leaf.material);
-        let known = self.interned.leaves.get(&(id, named)).copied();
-        let shape = match known {
-            Some(known) => self.flat.leaves[known as usize].shape,
-            None => self.shapes.intern(leaf.base, &self.scene.transform(leaf)),
-        };
-        if !alone.insert(shape) {
-            return;
-        }
-        let leaf = known.unwrap_or_else(|| self.add(id, named, shape));
-        let (program, members) = (self.flat.program.len() as u32, self.flat.members.len() as u32);
-        self.flat.program.push(Instruction::member(0));
-        self.flat.members.push(leaf);
-        self.flat.islands.push(Island {
-            program: (program, program + 1),
-            members: (members, members + 1),
-            bounds: self.facts[id.index()].bounds,
-        });
-    }
-
-    /// A tree of intersections, subtractions and unions below them.
-    fn tree(&mut self, id: SolidId, paint: Option<MaterialId>) -> Result<(), PlanError> {
-        let NodeFacts { bounds, leaves, .. } = self.facts[id.index()];
-        if leaves > MAX_PROGRAM {
-            return Err(PlanError::ProgramTooLarge { leaves });
-        }
-        if bounds.is_empty() {
-            return Ok(());
-        }
-        let locals = self.members((id, paint));
-        let (program, members) = (self.flat.program.len() as u32, self.flat.members.len() as u32);
-        self.instructions((id, paint), &locals);
-        let mut order = vec![0; locals.len()];
-        for (leaf, local) in &locals {
-            order[*local as usize] = *leaf;
-        }
-        self.flat.members.extend(order);
-        self.flat.islands.push(Island {
-            program: (program, self.flat.program.len() as u32),
-            members: (members, self.flat.members.len() as u32),
-            bounds,
-        });
-        Ok(())
-    }
-
-    /// The leaves below a solid with their numbers within the island, which rise from left to right.
-    fn members(&mut self, top: Painted) -> HashMap<u32, u32> {
-        let mut locals = HashMap::new();
-        let mut seen = HashSet::new();
-        let mut open = vec![top];
-        while let Some((id, paint)) = open.pop() {
-            match step(self.scene, (id, paint)) {
-                Step::Inside(painted) => open.push(painted),
-                Step::Both(_, left, right) => {
-                    if seen.insert((id, paint)) {
-                        open.extend([(right, paint), (left, paint)]);
-                    }
-                }
-                Step::Leaf => {
-                    if let Some(leaf) = self.leaf(id, paint) {
-                        let next = locals.len() as u32;
-                        locals.entry(leaf).or_insert(next);
-                    }
-                }
-            }
-        }
-        locals
-    }
-
-    /// Emits a solid's program, the operand that needs more bits first.
-    fn instructions(&mut self, top: Painted, locals: &HashMap<u32, u32>) {
-        enum Task {
-            Visit(Painted),
-            Emit(Instruction),
-        }
-        let mut open = vec![Task::Visit(top)];
-        while let Some(task) = open.pop() {
-            let (id, paint) = match task {
-                Task::Emit(instruction) => {
-                    self.flat.program.push(instruction);
-                    continue;
-                }
-                Task::Visit(painted) => painted,
-            };
-            match step(self.scene, (id, paint)) {
-                Step::Inside(painted) => open.push(Task::Visit(painted)),
-                Step::Leaf => {
-                    if let Some(local) = self.leaf(id, paint).and_then(|leaf| locals.get(&leaf)) {
-                        self.flat.program.push(Instruction::member(*local));
-                    }
-                }
-                Step::Both(op, left, right) => {
-                    let swapped = self.facts[right.index()].height > self.facts[left.index()].height;
-                    let (first, second) = if swapped { (right, left) } else { (left, right) };
-                    let operation = match op {
-                        Op::Union => Instruction::UNION,
-                        Op::Intersection => Instruction::INTERSECTION,
-                        Op::Subtraction => Instruction::SUBTRACTION,
-                    };
-                    open.push(Task::Emit(if swapped { operation.swapped() } else { operation }));
-                    open.push(Task::Visit((second, paint)));
-                    open.push(Task::Visit((first, paint)));
-                }
-            }
-        }
-    }
+    (roots.iter().map(size).collect(), used)
 }
 
 impl Flat {
+    /// Takes over the used leaves with their surfaces and materials; returns the new numbers by the old ones.
+    fn keep(&mut self, normal: &Normal, used: &[bool]) -> Vec<u32> {
+        let (mut shapes, mut materials) = (HashMap::new(), HashMap::new());
+        let mut numbers = vec![u32::MAX; used.len()];
+        for (old, leaf) in normal.leaves.iter().enumerate().filter(|(old, _)| used[*old]) {
+            let shape = *shapes.entry(leaf.shape).or_insert_with(|| {
+                self.shapes.push(normal.shapes.list[leaf.shape as usize]);
+                self.shapes.len() as u32 - 1
+            });
+            let material = *materials.entry(leaf.material).or_insert_with(|| {
+                self.materials.push(normal.materials[leaf.material as usize]);
+                self.materials.len() as u32 - 1
+            });
+            numbers[old] = self.leaves.len() as u32;
+            self.leaves.push(Leaf {
+                shape,
+                material,
+                ..*leaf
+            });
+        }
+        numbers
+    }
+
     /// The smallest box around all bounded islands, world units; empty if there is none.
     pub(crate) fn finite_bounds(&self) -> Box3 {
         let finite = self
-            .islands
+            .drafts
             .iter()
             .map(|island| island.bounds)
             .filter(|bounds| bounds.is_finite());
@@ -261,9 +141,53 @@ impl Flat {
         for shape in &mut self.shapes {
             *shape = shape.relative(place.origin, place.scale);
         }
-        for island in &mut self.islands {
+        for island in &mut self.drafts {
             island.bounds = island.bounds.relative(place.origin, place.scale);
         }
         self
+    }
+
+    /// Makes islands of the drafts; `eye` in plan units.
+    pub(crate) fn divided(mut self, eye: DVec3) -> Result<Self, PlanError> {
+        let boxes: Vec<_> = self
+            .leaves
+            .iter()
+            .map(|leaf| holder(&self.shapes[leaf.shape as usize]))
+            .collect();
+        let finite = boxes.iter().copied().filter(|bounds| bounds.is_finite());
+        let stage = finite.fold(Box3 { min: eye, max: eye }, Box3::hull);
+        let stage = Box3 {
+            min: stage.min - 1.0,
+            max: stage.max + 1.0,
+        };
+        let mut parts = Parts::default();
+        let mut divider = Divider::new(Pruner::new(&self.shapes, &self.leaves), &boxes, stage);
+        for Draft { bounds, tree } in std::mem::take(&mut self.drafts) {
+            let (part, cells) = match tree {
+                Tree::Leaf { leaf, negative } => (parts.leaf(leaf, negative), None),
+                Tree::Tokens(tokens) => (parts.tree(&tokens), divider.divide(&tokens, &mut parts)),
+            };
+            self.islands.push(Island {
+                program: part.program,
+                members: part.members,
+                product: part.product,
+                cells,
+                bounds,
+            });
+        }
+        (self.parts, self.cells) = (divider.parts, divider.cells);
+        (self.program, self.members) = (parts.program, parts.members);
+        // The largest numbers that the indices and offsets of the packed form must hold.
+        let counted = [
+            (self.shapes.len(), "surfaces"),
+            (self.program.len(), "operators"),
+            (self.members.len(), "operands"),
+            (self.islands.len() + self.parts.len(), "objects"),
+            (self.cells.len(), "cells"),
+        ];
+        match counted.into_iter().find(|(count, _)| *count >= u32::MAX as usize) {
+            Some((_, what)) => Err(PlanError::TooMany(what)),
+            None => Ok(self),
+        }
     }
 }

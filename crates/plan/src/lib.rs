@@ -1,32 +1,40 @@
-//! From a scene to what a tracer needs and nothing more: the unreachable left out, the root's unions flattened into
-//! islands, equal shapes found, bounds, a bounding volume hierarchy, features, and numbers relative to the eye.
+//! From a scene to what a tracer needs and nothing more: the tree in normal form without what can't be seen, the root's
+//! unions as islands, large islands divided into cells, bounds, a bounding volume hierarchy, features, and numbers relative
+//! to the eye.
 //!
 //! It must not know pictures, OpenCL, or how a scene is written.
 
 mod bounds;
 mod bvh;
+mod cells;
 mod features;
 mod flatten;
 mod frame;
 mod node_facts;
+mod normal;
 mod packed;
+mod parts;
+mod postfix;
 mod precision;
 mod program;
 mod real;
 mod shapes;
+mod side;
 mod standpoint;
 mod summary;
+mod terms;
 
 use std::fmt;
 
 use scenec_scene::{DVec3, Material, Scene};
 
 pub use bounds::Box3;
+pub use cells::{CELL_EMPTY, CELL_FULL, CELL_PART, CELLS_DEPTH, CELLS_REACH};
 pub use features::Features;
 pub use frame::{Lamp, Touch, View};
 pub use packed::{Field, FieldKind, LAYOUTS, Layout, Packed, packed_structs};
 pub use precision::BeyondSingle;
-pub use program::{Instruction, OPERATION_SHIFT, PROGRAM_DEPTH, evaluate, owner};
+pub use program::{Instruction, OPERATION_SHIFT, PROGRAM_DEPTH, evaluate, evaluate_product, owner};
 pub use real::{Real, in_doubles, in_singles};
 pub use shapes::{Shape, ShapeKind};
 pub use standpoint::{Foothold, Standpoint};
@@ -57,9 +65,13 @@ pub struct Plan {
     pub islands: Vec<Island>,
     /// How many islands stand before those that the hierarchy holds.
     pub linear: usize,
-    /// The programs of all islands, one after another.
+    /// What is left of an island in a cell of space.
+    pub parts: Vec<Part>,
+    /// The cells of the islands that are divided; a part is named by its number among [`Plan::parts`].
+    pub cells: Vec<packed_structs::Cell>,
+    /// The programs of all islands and parts, one after another.
     pub program: Vec<Instruction>,
-    /// The leaves (indices) that the islands' programs name, ascending within an island.
+    /// The leaves (indices) that the programs name, left before right within a program.
     pub members: Vec<u32>,
     /// The hierarchy over the bounded islands; empty where a list serves better. The root is node 0.
     pub nodes: Vec<packed_structs::Node>,
@@ -86,13 +98,29 @@ pub struct Leaf {
     pub solid: u32,
 }
 
-/// An operand of the root's unions: a single leaf, or a tree of leaves as a program.
+/// A tree of leaves. Of a product the instructions are members and complements of members, all intersected; else they are a
+/// program.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Part {
+    /// First and one past the last of its instructions.
+    pub program: (u32, u32),
+    /// First and one past the last of its members.
+    pub members: (u32, u32),
+    /// Whether it is a product.
+    pub product: bool,
+}
+
+/// An operand of the root's unions: a tree of leaves, perhaps divided into cells of space.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Island {
     /// First and one past the last of its instructions; a single leaf has one.
     pub program: (u32, u32),
     /// First and one past the last of its members.
     pub members: (u32, u32),
+    /// Whether its instructions are a product's; see [`Part`].
+    pub product: bool,
+    /// The first of its cells, if it has any.
+    pub cells: Option<u32>,
     /// What holds it.
     pub bounds: Box3,
 }
@@ -132,24 +160,24 @@ impl std::error::Error for PlanError {}
 /// [`PlanError`] for a scene beyond the stated limits.
 pub fn plan(scene: &Scene) -> Result<Plan, PlanError> {
     let facts = node_facts::gather(scene);
-    let flat = flatten::flatten(scene, &facts)?;
+    let normal = normal::normalise(scene, &facts);
+    let why = normal.terms.why.clone();
+    let flat = flatten::flatten(normal)?;
     let place = frame::place(scene, &flat)?;
-    let flat = bvh::arrange(flat.relative(&place));
+    let view = frame::view(scene, &place);
+    let flat = bvh::arrange(flat.relative(&place).divided(view.eye)?);
     let mut lights = frame::lamps(scene, &place);
     let touches = frame::touches(&mut lights, &flat.shapes);
     let materials: Vec<_> = flat.materials.iter().map(|id| *scene.material(*id)).collect();
     let kept = flat.leaves.iter().map(|leaf| leaf.solid);
     let reached = |number: usize| facts.get(number).is_some_and(|facts| facts.leaves > 0);
     let mut plan = Plan {
-        dropped: summary::dropped(scene, kept, reached, |number| match facts[number].bounds.is_empty() {
-            true => Reason::Nothing,
-            false => Reason::Twin,
-        }),
+        dropped: summary::dropped(scene, kept, reached, |number| why.get(&(number as u32)).copied()),
         reach: frame::reach(scene, &materials, &lights),
         standpoint: Standpoint::OUTSIDE,
         origin: place.origin,
         scale: place.scale,
-        view: frame::view(scene, &place),
+        view,
         lights,
         touches,
         materials,
@@ -157,6 +185,8 @@ pub fn plan(scene: &Scene) -> Result<Plan, PlanError> {
         leaves: flat.leaves,
         islands: flat.islands,
         linear: flat.linear,
+        parts: flat.parts,
+        cells: flat.cells,
         program: flat.program,
         members: flat.members,
         nodes: flat.nodes,
@@ -170,5 +200,11 @@ impl Plan {
     #[must_use]
     pub fn program_of(&self, island: &Island) -> &[Instruction] {
         &self.program[island.program.0 as usize..island.program.1 as usize]
+    }
+
+    /// Whether an island is one leaf and nothing else.
+    #[must_use]
+    pub fn is_leaf(&self, island: &Island) -> bool {
+        matches!(self.program_of(island), [only] if only.parts().0 == 0)
     }
 }

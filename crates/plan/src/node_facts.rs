@@ -1,6 +1,6 @@
 //! What one forward pass over the solids tells about each of them.
 
-use scenec_scene::{Op, Scene, SolidKind};
+use scenec_scene::{Op, Scene, SolidId, SolidKind};
 
 use crate::Box3;
 
@@ -11,37 +11,44 @@ pub(crate) struct NodeFacts {
     pub(crate) bounds: Box3,
     /// How many leaves its tree has, every use counted; saturates.
     pub(crate) leaves: u64,
-    /// How many intermediate truths its evaluation must hold at once (Sethi and Ullman 1970): at most 1 + log2(leaves).
-    pub(crate) height: u32,
+    /// How many solids have it as an operand.
+    pub(crate) uses: u32,
 }
 
 const UNREACHED: NodeFacts = NodeFacts {
     bounds: Box3::EMPTY,
     leaves: 0,
-    height: 0,
+    uses: 0,
 };
 
 /// The facts of every solid up to the root; those that the root does not reach are left blank.
 pub(crate) fn gather(scene: &Scene) -> Vec<NodeFacts> {
     let count = scene.root.index() + 1;
-    let mut reached = vec![false; count];
-    reached[count - 1] = true;
+    let mut uses = vec![0_u32; count];
+    uses[count - 1] = 1;
     for index in (0..count).rev() {
-        if reached[index] {
+        if uses[index] > 0 {
+            let mut used = |operand: SolidId| uses[operand.index()] = uses[operand.index()].saturating_add(1);
             match scene.solids[index].kind {
                 SolidKind::Leaf(_) => {}
-                SolidKind::Paint { inside, .. } => reached[inside.index()] = true,
-                SolidKind::Combine { left, right, .. } => {
-                    reached[left.index()] = true;
-                    reached[right.index()] = true;
+                SolidKind::Paint { inside, .. } => used(inside),
+                SolidKind::Combine { op, left, right } => {
+                    used(left);
+                    if left != right || op == Op::Subtraction {
+                        used(right);
+                    }
                 }
             }
         }
     }
     let mut facts = vec![UNREACHED; count];
     for (index, solid) in scene.solids.iter().take(count).enumerate() {
-        if reached[index] {
-            facts[index] = of(scene, &solid.kind, &facts);
+        if uses[index] > 0 {
+            let uses = uses[index];
+            facts[index] = NodeFacts {
+                uses,
+                ..of(scene, &solid.kind, &facts)
+            };
         }
     }
     facts
@@ -52,7 +59,7 @@ fn of(scene: &Scene, kind: &SolidKind, facts: &[NodeFacts]) -> NodeFacts {
         SolidKind::Leaf(leaf) => NodeFacts {
             bounds: Box3::of_leaf(leaf.base, &scene.transform(leaf)),
             leaves: 1,
-            height: 1,
+            uses: 0,
         },
         SolidKind::Paint { inside, .. } => facts[inside.index()],
         // A solid with itself: see the walks.
@@ -60,7 +67,7 @@ fn of(scene: &Scene, kind: &SolidKind, facts: &[NodeFacts]) -> NodeFacts {
             Op::Subtraction => NodeFacts {
                 bounds: Box3::EMPTY,
                 leaves: facts[left.index()].leaves.saturating_mul(2),
-                height: facts[left.index()].height + 1,
+                uses: 0,
             },
             Op::Union | Op::Intersection => facts[left.index()],
         },
@@ -73,11 +80,7 @@ fn of(scene: &Scene, kind: &SolidKind, facts: &[NodeFacts]) -> NodeFacts {
                     Op::Subtraction => left.bounds,
                 },
                 leaves: left.leaves.saturating_add(right.leaves),
-                height: if left.height == right.height {
-                    left.height + 1
-                } else {
-                    left.height.max(right.height)
-                },
+                uses: 0,
             }
         }
     }

@@ -3,6 +3,7 @@
 //! Each struct is written once, below. The macro makes the Rust type and a description of it from which the kernels'
 //! side is generated, and refuses a struct that would hold padding in either precision.
 
+use crate::cells::CELL_PART;
 use crate::shapes::ShapeKind;
 use crate::{Plan, Real};
 
@@ -163,7 +164,7 @@ packed! {
         /// The number that the leaf layer shows.
         solid: u32,
     }
-    /// An operand of the root's unions.
+    /// An operand of the root's unions, or what is left of one in a cell.
     Island {
         /// First instruction.
         program: u32,
@@ -173,6 +174,19 @@ packed! {
         members: u32,
         /// One past the last member.
         members_end: u32,
+        /// 1 if the instructions are members and complements, all intersected.
+        product: u32,
+        /// The first of its cells, or the largest number.
+        cells: u32,
+    }
+    /// A part of space: two cells on either side of a wall, `first` and the next, or what is there of an island.
+    Cell {
+        /// Where the wall stands.
+        wall: f32,
+        /// The axis that the wall stands on, or what is there.
+        kind: u32,
+        /// First of the two cells, or the number of the part among the islands.
+        first: u32,
     }
     /// A node of the hierarchy: `count` islands from `first`, or two nodes, `first` and the next.
     Node {
@@ -301,7 +315,7 @@ packed! {
     }
 }
 
-use packed_structs::{Frame, Island, Leaf, Light, Material, Node, Shape, Touch};
+use packed_structs::{Cell, Frame, Island, Leaf, Light, Material, Node, Shape, Touch};
 
 /// The plan in one precision.
 #[derive(Clone, Debug)]
@@ -312,8 +326,10 @@ pub struct Packed<R> {
     pub shapes: Vec<Shape<R>>,
     /// Leaves.
     pub leaves: Vec<Leaf>,
-    /// Islands.
+    /// Islands, and behind them the parts that cells name.
     pub islands: Vec<Island>,
+    /// Cells of islands.
+    pub cells: Vec<Cell>,
     /// Instructions of all islands.
     pub program: Vec<u32>,
     /// Members of all islands.
@@ -345,16 +361,8 @@ impl Plan {
                 .iter()
                 .map(|&crate::Leaf { shape, material, solid }| Leaf { shape, material, solid })
                 .collect(),
-            islands: self
-                .islands
-                .iter()
-                .map(|island| Island {
-                    program: island.program.0,
-                    program_end: island.program.1,
-                    members: island.members.0,
-                    members_end: island.members.1,
-                })
-                .collect(),
+            islands: self.packed_islands(),
+            cells: self.packed_cells(),
             program: self.program.iter().map(|instruction| instruction.0).collect(),
             members: self.members.clone(),
             nodes: self.nodes.clone(),
@@ -388,6 +396,39 @@ impl Plan {
         .counted(uint)
     }
 
+    fn packed_islands(&self) -> Vec<Island> {
+        let island = |program: (u32, u32), members: (u32, u32), product: bool, cells: Option<u32>| Island {
+            program: program.0,
+            program_end: program.1,
+            members: members.0,
+            members_end: members.1,
+            product: product.into(),
+            cells: cells.unwrap_or(u32::MAX),
+        };
+        let islands = self
+            .islands
+            .iter()
+            .map(|it| island(it.program, it.members, it.product, it.cells));
+        let parts = self
+            .parts
+            .iter()
+            .map(|it| island(it.program, it.members, it.product, None));
+        islands.chain(parts).collect()
+    }
+
+    fn packed_cells(&self) -> Vec<Cell> {
+        let islands = self.islands.len() as u32;
+        let numbered = |cell: &Cell| Cell {
+            first: if cell.kind == CELL_PART {
+                islands + cell.first
+            } else {
+                cell.first
+            },
+            ..*cell
+        };
+        self.cells.iter().map(numbered).collect()
+    }
+
     fn packed_frame<R: Real>(&self) -> Frame<R> {
         let (view, surface) = (&self.view, self.standpoint.surface);
         Frame {
@@ -404,6 +445,7 @@ impl Plan {
             window_height: view.height,
             raydepth: view.raydepth,
             ray_budget: u32::MAX,
+            islands: u32::try_from(self.islands.len()).unwrap_or(u32::MAX),
             linear: u32::try_from(self.linear).unwrap_or(u32::MAX),
             eye_class: surface.map_or(u32::MAX, |surface| surface.class),
             eye_flat: surface.map_or(0, |surface| u32::from(surface.flat)),
@@ -429,7 +471,7 @@ impl<R: Real> Frame<R> {
 impl<R> Packed<R> {
     fn counted(mut self, uint: impl Fn(usize) -> u32) -> Self {
         self.frame.samples = uint(self.samples.len());
-        self.frame.islands = uint(self.islands.len());
+
         self.frame.lights = uint(self.lights.len());
         self.frame.nodes = uint(self.nodes.len());
         self

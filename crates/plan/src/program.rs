@@ -6,6 +6,9 @@ pub const OPERATION_SHIFT: u32 = 29;
 /// The bit of an operation that says that its right operand was evaluated first, so that the left one is on top.
 const SWAPPED: u32 = 4;
 
+/// The operation that pushes a complement.
+const COMPLEMENT: u32 = 3;
+
 /// The most truths that wait while a program runs; see [`evaluate`].
 pub const PROGRAM_DEPTH: usize = 26;
 
@@ -19,9 +22,6 @@ impl Instruction {
     pub const UNION: Self = Self(1 << OPERATION_SHIFT);
     /// below and top.
     pub const INTERSECTION: Self = Self(2 << OPERATION_SHIFT);
-    /// below and not top.
-    pub const SUBTRACTION: Self = Self(3 << OPERATION_SHIFT);
-
     /// The same operation where its right operand was evaluated first: top and below change places.
     #[must_use]
     pub const fn swapped(self) -> Self {
@@ -34,14 +34,17 @@ impl Instruction {
         Self(local)
     }
 
-    /// The number of the member that it pushes, if it pushes one.
+    /// Push whether the point does not lie in the member with this number.
     #[must_use]
-    pub const fn as_member(self) -> Option<u32> {
-        if self.0 >> OPERATION_SHIFT == 0 {
-            Some(self.0)
-        } else {
-            None
-        }
+    pub const fn complement(local: u32) -> Self {
+        Self(local | COMPLEMENT << OPERATION_SHIFT)
+    }
+
+    /// Its operation, and the number of the member that it pushes if it pushes one.
+    #[inline(always)]
+    #[must_use]
+    pub const fn parts(self) -> (u32, u32) {
+        (self.0 >> OPERATION_SHIFT, self.0 & ((1 << OPERATION_SHIFT) - 1))
     }
 }
 
@@ -51,25 +54,30 @@ impl Instruction {
 pub fn evaluate(program: impl IntoIterator<Item = Instruction>, mut holds: impl FnMut(u32) -> bool) -> bool {
     let mut bits = 0_u32;
     for instruction in program {
-        match instruction.0 >> OPERATION_SHIFT {
-            0 => bits = bits << 1 | u32::from(holds(instruction.0)),
-            operation => bits = joined(operation, bits),
+        match instruction.parts() {
+            (0, member) => bits = bits << 1 | u32::from(holds(member)),
+            (COMPLEMENT, member) => bits = bits << 1 | u32::from(!holds(member)),
+            (operation, _) => bits = joined(operation, bits),
         }
     }
     bits & 1 == 1
+}
+
+/// Whether all members and complements of a product hold.
+#[inline(always)]
+pub fn evaluate_product(literals: impl IntoIterator<Item = Instruction>, mut holds: impl FnMut(u32) -> bool) -> bool {
+    literals.into_iter().all(|literal| {
+        let (operation, member) = literal.parts();
+        holds(member) == (operation == 0)
+    })
 }
 
 /// A stack of truths after an operation on the two topmost.
 #[inline(always)]
 const fn joined(operation: u32, bits: u32) -> u32 {
     let (top, below) = (bits & 1, bits >> 1 & 1);
-    let truth = match operation {
-        1 | 5 => below | top,
-        2 | 6 => below & top,
-        3 => below & !top,
-        _ => top & !below,
-    };
-    bits >> 2 << 1 | truth & 1
+    let truth = if operation & 1 == 1 { below | top } else { below & top };
+    bits >> 2 << 1 | truth
 }
 
 /// The member to which a change of the whole belongs, where members change from what they were `before` to what they are
@@ -81,15 +89,15 @@ pub fn owner(program: impl IntoIterator<Item = Instruction>, mut changes: impl F
     let mut owners = [0_u32; PROGRAM_DEPTH];
     let mut depth = 0;
     for instruction in program {
-        match instruction.0 >> OPERATION_SHIFT {
-            0 => {
-                let (was, is) = changes(instruction.0);
-                before = before << 1 | u32::from(was);
-                after = after << 1 | u32::from(is);
-                owners[depth] = instruction.0;
+        match instruction.parts() {
+            (push @ (0 | COMPLEMENT), member) => {
+                let (was, is) = changes(member);
+                before = before << 1 | u32::from(was != (push == COMPLEMENT));
+                after = after << 1 | u32::from(is != (push == COMPLEMENT));
+                owners[depth] = member;
                 depth += 1;
             }
-            operation => {
+            (operation, _) => {
                 let changed = before ^ after;
                 let top_is_left = operation & SWAPPED != 0;
                 let takes_top = if top_is_left {
@@ -124,17 +132,19 @@ mod tests {
     #[test]
     fn every_operation_has_its_truth_table() {
         let [a, b] = [Instruction::member(0), Instruction::member(1)];
+        let not_b = Instruction::complement(1);
         for (x, y) in [(false, false), (false, true), (true, false), (true, true)] {
             check(&[a, b, Instruction::UNION], &[x, y], x || y);
             check(&[a, b, Instruction::INTERSECTION], &[x, y], x && y);
-            check(&[a, b, Instruction::SUBTRACTION], &[x, y], x && !y);
+            check(&[a, not_b, Instruction::INTERSECTION], &[x, y], x && !y);
+            check(&[not_b], &[x, y], !y);
             check(&[b, a, Instruction::UNION.swapped()], &[x, y], x || y);
             check(&[b, a, Instruction::INTERSECTION.swapped()], &[x, y], x && y);
-            check(&[b, a, Instruction::SUBTRACTION.swapped()], &[x, y], x && !y);
+            check(&[not_b, a, Instruction::UNION.swapped()], &[x, y], x || !y);
             check(
-                &[a, b, Instruction::UNION, a, Instruction::SUBTRACTION],
+                &[a, b, Instruction::UNION, not_b, Instruction::INTERSECTION],
                 &[x, y],
-                !x && y,
+                x && !y,
             );
         }
     }
@@ -154,9 +164,10 @@ mod tests {
         check(&[a, b, Instruction::UNION], &[absent, rises], 1);
         check(&[b, a, Instruction::UNION.swapped()], &[rises, rises], 0);
         check(&[b, a, Instruction::UNION.swapped()], &[absent, rises], 1);
-        check(&[a, b, Instruction::SUBTRACTION], &[rises, falls], 0);
-        check(&[a, b, Instruction::SUBTRACTION], &[stays, falls], 1);
-        check(&[b, a, Instruction::SUBTRACTION.swapped()], &[stays, falls], 1);
+        let not_b = Instruction::complement(1);
+        check(&[a, not_b, Instruction::INTERSECTION], &[rises, falls], 0);
+        check(&[a, not_b, Instruction::INTERSECTION], &[stays, falls], 1);
+        check(&[not_b, a, Instruction::INTERSECTION.swapped()], &[stays, falls], 1);
         // A part that changes without showing does not own what shows beside it.
         let part = [a, b, Instruction::INTERSECTION, c, Instruction::UNION];
         check(&part, &[rises, absent, rises], 2);

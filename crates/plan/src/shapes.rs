@@ -117,6 +117,8 @@ impl Shape {
 pub(crate) struct Shapes {
     /// The distinct shapes, world units.
     pub(crate) list: Vec<Shape>,
+    /// Of each, whether it is the half-space on the other side of the plane that its class is named after.
+    pub(crate) turned: Vec<bool>,
     by_key: HashMap<Key, u32>,
     classes: u32,
 }
@@ -164,21 +166,20 @@ impl Shapes {
             turned: !key.turned,
             ..key
         };
-        let shape = match self.by_key.get(&twin).map(|twin| self.list[*twin as usize]) {
-            Some(twin) if shape.kind == ShapeKind::HalfSpace => Shape {
-                inverse: twin.inverse * -1.0,
-                ..twin
-            },
+        let (shape, turned) = match self.by_key.get(&twin).map(|twin| self.list[*twin as usize]) {
+            Some(twin) if shape.kind == ShapeKind::HalfSpace => {
+                let inverse = twin.inverse * -1.0;
+                (Shape { inverse, ..twin }, true)
+            }
             _ => {
                 self.classes += 1;
-                Shape {
-                    class: self.classes - 1,
-                    ..shape
-                }
+                let class = self.classes - 1;
+                (Shape { class, ..shape }, false)
             }
         };
         let number = self.list.len() as u32;
         self.list.push(shape);
+        self.turned.push(turned);
         self.by_key.insert(key, number);
         number
     }

@@ -78,6 +78,11 @@ fn holds(plan: &Plan, surface: Option<Foothold>, behind: bool) -> bool {
                 None => shape.holds(eye),
             }
         };
-        island.bounds.holds(eye) && program::evaluate(plan.program_of(island).iter().copied(), leaf_holds)
+        let program = plan.program_of(island).iter().copied();
+        let holds = || match island.product {
+            true => program::evaluate_product(program, leaf_holds),
+            false => program::evaluate(program, leaf_holds),
+        };
+        island.bounds.holds(eye) && holds()
     })
 }

@@ -96,7 +96,7 @@ impl Plan {
             shapes: self.shapes.len(),
             islands: self.islands.len(),
             tiers: self.tiers(),
-            cells: 0,
+            cells: self.cells.len(),
             nodes: self.nodes.len(),
             bytes: self.bytes::<f32>(),
         }
@@ -106,7 +106,9 @@ impl Plan {
         let mut tiers = Tiers::default();
         for island in &self.islands {
             *match island.program.1 - island.program.0 {
+                _ if island.cells.is_some() => &mut tiers.divided,
                 1 => &mut tiers.single,
+                _ if island.product => &mut tiers.products,
                 _ => &mut tiers.programs,
             } += 1;
         }
@@ -126,7 +128,8 @@ impl Plan {
             (1, of("Frame")),
             (self.shapes.len(), of("Shape")),
             (self.leaves.len(), of("Leaf")),
-            (self.islands.len(), of("Island")),
+            (self.islands.len() + self.parts.len(), of("Island")),
+            (self.cells.len(), of("Cell")),
             (self.program.len(), size_of::<u32>()),
             (self.members.len(), size_of::<u32>()),
             (self.nodes.len(), size_of::<packed_structs::Node>()),
@@ -149,7 +152,7 @@ pub(crate) fn dropped(
     scene: &Scene,
     kept: impl IntoIterator<Item = u32>,
     reached: impl Fn(usize) -> bool,
-    why: impl Fn(usize) -> Reason,
+    why: impl Fn(usize) -> Option<Reason>,
 ) -> Vec<Dropped> {
     let mut there = vec![false; scene.solids.len()];
     for solid in kept {
@@ -161,7 +164,7 @@ pub(crate) fn dropped(
             continue;
         }
         let reason = if reached(number) {
-            why(number)
+            why(number).unwrap_or(Reason::Nothing)
         } else {
             Reason::Unreached
         };

@@ -29,7 +29,13 @@ fn unions_become_islands_and_what_adds_nothing_goes() {
     check("!u := s | s\n!u <=", 1, 1, 1);
     check("!a := sphere\n!u := s | a\n!u <=", 1, 1, 1);
     check("!u := s | t\n!v := u | u\n!w := v | u\n!w <=", 2, 2, 2);
-    check("!u := s & t\n!v := u | h\n!v <=", 2, 3, 4);
+    check("!u := s & t\n!v := u | h\n!v <=", 2, 3, 3);
+    check(
+        "!u := s & t\n!v := u - h\n!w := s | h\n!w := w & t\n!x := v | w\n!x <=",
+        2,
+        3,
+        8,
+    );
     check("!u := s - s\n!v := u | h\n!v <=", 1, 1, 1);
     check(
         "!far := sphere\n!far += 9 0 0\n!u := s & far\n!v := u | t\n!v <=",
@@ -42,14 +48,14 @@ fn unions_become_islands_and_what_adds_nothing_goes() {
 #[test]
 fn a_solid_with_itself_is_itself_however_often() {
     let doubled: String = (0..100).map(|i| format!("!d{} := d{i} & d{i}\n", i + 1)).collect();
-    check(&format!("!d0 := s & t\n{doubled}!d100 <="), 1, 2, 3);
+    check(&format!("!d0 := s & t\n{doubled}!d100 <="), 1, 2, 2);
 }
 
 #[test]
 fn a_tree_that_grows_without_bound_is_refused_with_the_figure() {
     let mut text = String::from("!d0 := s & t\n");
     for i in 0..40 {
-        text += &format!("!e{i} := d{i} - h\n!d{} := d{i} & e{i}\n", i + 1);
+        text += &format!("!e{i} := d{i} | t\n!f{i} := d{i} - h\n!d{} := e{i} - f{i}\n", i + 1);
     }
     let error = planned(&format!("{text}!d40 <=")).unwrap_err();
     assert!(
@@ -66,7 +72,8 @@ fn only_what_the_scene_needs_is_on() {
     assert!(!features.lights && !features.highlights && !features.reflections && !features.inside);
     let glass = "?g := 0 0 0.5 0.1 0.9 1.5 50 1 1 1\n!s ?= g\n!u := s - h\n*l := 5 5 5 1 1 1\n!u <=";
     let features = Features::of(&planned(glass).unwrap());
-    assert!(features.lights && features.highlights && features.branching && features.inside && features.programs);
+    assert!(features.lights && features.highlights && features.branching && features.inside);
+    assert!(features.products && !features.programs && !features.cells);
     assert_eq!((features.waiting, features.members), (4, 2));
 }
 
