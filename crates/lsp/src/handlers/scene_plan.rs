@@ -144,7 +144,7 @@ fn features(plan: &Plan) -> Vec<Feature> {
     // Those that are sizes and not switches are always there.
     let switches = list
         .into_iter()
-        .filter(|(name, _)| !matches!(*name, "WAITING" | "MEMBERS" | "HIERARCHY_DEPTH"));
+        .filter(|(name, _)| !matches!(*name, "WAITING" | "MEMBERS" | "HIERARCHY_DEPTH" | "CELLS_DEPTH"));
     let feature = |(name, value): (&str, u32)| Feature {
         name: name.to_lowercase().replace('_', " "),
         on: value != 0,
