@@ -1,13 +1,13 @@
 //! A name space: what each of its names is bound to at the current line.
 
-use std::hash::BuildHasher;
+mod ids;
 
-use hashbrown::hash_table::Entry::{Occupied, Vacant};
-use hashbrown::{DefaultHashBuilder, HashMap, HashTable};
+use hashbrown::HashMap;
 use scenec_syntax::Space;
 use scenec_text::Span;
 
 use crate::{DefinitionId, Role, SymbolId, SymbolTable};
+use ids::Ids;
 
 /// Number of a name in its name space.
 pub(crate) type NameId = usize;
@@ -100,20 +100,10 @@ impl<'a, T> Entry<'a, T> {
 /// The names of one space, in the order in which they first stand in the file.
 pub(crate) struct Names<'a, T> {
     space: Space,
-    /// The entries by what their names hash to. A seed of its own for every run keeps a file from being made so that its
-    /// names meet in one place.
-    ids: HashTable<Slot>,
-    hashing: DefaultHashBuilder,
+    ids: Ids,
     pub(crate) entries: Vec<Entry<'a, T>>,
     /// The last statements that would have bound a name, but were ignored.
     ignored: HashMap<NameId, Span>,
-}
-
-/// A name among the hashed ones: eight bytes, and mostly no look at the text is needed to tell it from another.
-struct Slot {
-    hash: u32,
-    /// Fits: a name is at least a byte of a text whose bytes do.
-    id: u32,
 }
 
 impl<'a, T> Names<'a, T> {
@@ -125,8 +115,7 @@ impl<'a, T> Names<'a, T> {
     pub(crate) fn with_room(space: Space, room: usize) -> Self {
         Self {
             space,
-            ids: HashTable::new(),
-            hashing: DefaultHashBuilder::default(),
+            ids: Ids::with_room(room),
             entries: Vec::with_capacity(room),
             ignored: HashMap::new(),
         }
@@ -135,19 +124,12 @@ impl<'a, T> Names<'a, T> {
     /// The number of the name at `span`, which is new if it never stood before; notes the place.
     pub(crate) fn mention(&mut self, text: &'a str, span: Span, role: Role, symbols: &mut SymbolTable) -> NameId {
         let name = span.of(text);
-        let hash = self.hash(name);
         let entries = &mut self.entries;
-        let same =
-            |slot: &Slot| slot.hash == hash && entries.get(slot.id as usize).is_some_and(|known| known.name == name);
-        let id = match self.ids.entry(widened(hash), same, |slot| widened(slot.hash)) {
-            Occupied(slot) => slot.get().id as usize,
-            Vacant(slot) => {
-                let id = entries.len();
-                slot.insert(Slot { hash, id: id as u32 });
-                entries.push(Entry::new(name, symbols.add(self.space, span)));
-                id
-            }
-        };
+        let new = entries.len();
+        let id = self.ids.find_or_add(name, new, |id| is(entries, id, name));
+        if id == new {
+            entries.push(Entry::new(name, symbols.add(self.space, span)));
+        }
         let entry = &self.entries[id];
         let known = matches!(entry.binding, Binding::Bound(_)) && role != Role::Define;
         symbols.record(entry.symbol, span, role, entry.definition.filter(|_| known));
@@ -182,7 +164,7 @@ impl<'a, T> Names<'a, T> {
 
     /// The number of a name, if it stood anywhere before.
     pub(crate) fn number(&self, name: &str) -> Option<NameId> {
-        self.id(name, self.hash(name))
+        self.ids.find(name, |id| is(&self.entries, id, name))
     }
 
     /// The entry of a name, if it stood anywhere before.
@@ -204,21 +186,9 @@ impl<'a, T> Names<'a, T> {
     pub(crate) fn ignored(&self, name: &str) -> Option<Span> {
         self.ignored.get(&self.number(name)?).copied()
     }
-
-    fn hash(&self, name: &str) -> u32 {
-        (self.hashing.hash_one(name) >> 16) as u32
-    }
-
-    fn id(&self, name: &str, hash: u32) -> Option<NameId> {
-        let same = |slot: &Slot| {
-            let entry = self.entries.get(slot.id as usize);
-            slot.hash == hash && entry.is_some_and(|entry| entry.name == name)
-        };
-        Some(self.ids.find(widened(hash), same)?.id as usize)
-    }
 }
 
-/// The table reads the lowest bits of a hash and the highest.
-fn widened(hash: u32) -> u64 {
-    u64::from(hash) << 32 | u64::from(hash)
+/// Whether the entry with this number is that of the name.
+fn is<T>(entries: &[Entry<'_, T>], id: NameId, name: &str) -> bool {
+    entries.get(id).is_some_and(|entry| entry.name == name)
 }

@@ -1,0 +1,134 @@
+//! Which name has which number.
+
+use std::hash::{BuildHasher, Hasher};
+
+use hashbrown::DefaultHashBuilder;
+
+/// The fewest slots of a table that has any.
+const FEWEST: usize = 16;
+
+/// The numbers of names, by what the names hash to; it does not hold the names themselves.
+///
+/// A name's place is that of its stem, which is all but its last byte, and the last byte more. Large files count their names up,
+/// and so those that follow one another lie side by side: ten of them wait for memory once. The places of stems have a
+/// seed of their own for every run, which keeps a file from being made so that its names meet in one place.
+#[derive(Default)]
+pub(super) struct Ids {
+    /// A power of two of them, or none; at least a quarter is free, so that a search ends.
+    slots: Vec<Slot>,
+    taken: usize,
+    hashing: DefaultHashBuilder,
+}
+
+/// A name in eight bytes; mostly no look at the text is needed to tell it from another.
+#[derive(Clone, Copy)]
+struct Slot {
+    place: u32,
+    /// Fits: a name is at least a byte of a text whose bytes do, and so does what stands for none.
+    id: u32,
+}
+
+impl Slot {
+    const FREE: Self = Self { place: 0, id: u32::MAX };
+
+    const fn is_free(self) -> bool {
+        self.id == u32::MAX
+    }
+}
+
+impl Ids {
+    /// With room for so many names.
+    pub(super) fn with_room(names: usize) -> Self {
+        let mut ids = Self::default();
+        if names > 0 {
+            ids.grow((names + names / 3 + 1).next_power_of_two());
+        }
+        ids
+    }
+
+    /// The number of a name, where `is` tells whether a number is that of the name; none if it is not among them.
+    pub(super) fn find(&self, name: &str, is: impl Fn(usize) -> bool) -> Option<usize> {
+        self.search(self.place(name), is).ok()
+    }
+
+    /// The same, but a name that is not among them is added with the number `new`.
+    pub(super) fn find_or_add(&mut self, name: &str, new: usize, is: impl Fn(usize) -> bool) -> usize {
+        if self.taken + self.taken / 3 >= self.slots.len() {
+            self.grow((self.slots.len() * 2).max(FEWEST));
+        }
+        let place = self.place(name);
+        match self.search(place, is) {
+            Ok(id) => id,
+            Err(free) => {
+                self.put(free, Slot { place, id: new as u32 });
+                self.taken += 1;
+                new
+            }
+        }
+    }
+
+    fn place(&self, name: &str) -> u32 {
+        let (last, stem) = name.as_bytes().split_last().unwrap_or((&0, &[]));
+        let mut hasher = self.hashing.build_hasher();
+        hasher.write(stem);
+        ((hasher.finish() >> 32) as u32).wrapping_add(u32::from(*last))
+    }
+
+    /// The number of a name, or the slot where it would be.
+    fn search(&self, place: u32, is: impl Fn(usize) -> bool) -> Result<usize, usize> {
+        let mask = self.slots.len().wrapping_sub(1);
+        let mut at = place as usize & mask;
+        while let Some(slot) = self.slots.get(at).filter(|slot| !slot.is_free()) {
+            let id = slot.id as usize;
+            if slot.place == place && is(id) {
+                return Ok(id);
+            }
+            at = (at + 1) & mask;
+        }
+        Err(at)
+    }
+
+    fn put(&mut self, at: usize, slot: Slot) {
+        if let Some(free) = self.slots.get_mut(at) {
+            *free = slot;
+        }
+    }
+
+    fn grow(&mut self, count: usize) {
+        let before = std::mem::replace(&mut self.slots, vec![Slot::FREE; count]);
+        for slot in before.into_iter().filter(|slot| !slot.is_free()) {
+            if let Err(free) = self.search(slot.place, |_| false) {
+                self.put(free, slot);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Ids;
+
+    /// Every name keeps the number that it got, in a table that grows and in one that has room.
+    fn check(names: &[&str]) {
+        for mut ids in [Ids::default(), Ids::with_room(names.len())] {
+            let mut known: Vec<&str> = Vec::new();
+            for name in names.iter().chain(names) {
+                let expect = known.iter().position(|other| other == name);
+                assert_eq!(ids.find(name, |id| known[id] == *name), expect, "{name}");
+                let id = ids.find_or_add(name, known.len(), |id| known[id] == *name);
+                assert_eq!(id, expect.unwrap_or(known.len()), "{name}");
+                if expect.is_none() {
+                    known.push(name);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn names_keep_their_numbers() {
+        check(&[]);
+        check(&["", "a", "b", "ab", "ba", "\u{e9}", "\u{e8}"]);
+        let counted: Vec<String> = (0..3000).map(|number| format!("s{number}")).collect();
+        check(&counted.iter().map(String::as_str).collect::<Vec<_>>());
+    }
+}
