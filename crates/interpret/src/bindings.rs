@@ -21,19 +21,16 @@ pub(crate) struct Object {
     pub(crate) solid: SolidId,
     /// Whether a combination refers to `solid`, so that an edit must change a copy.
     pub(crate) frozen: bool,
-    /// The statement.
-    pub(crate) line: Span,
     pub(crate) used: bool,
     /// The last combination that took it.
     pub(crate) taken: Option<Span>,
 }
 
 impl Object {
-    pub(crate) const fn new(solid: SolidId, line: Span) -> Self {
+    pub(crate) const fn new(solid: SolidId) -> Self {
         Self {
             solid,
             frozen: false,
-            line,
             used: false,
             taken: None,
         }

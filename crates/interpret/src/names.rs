@@ -41,8 +41,9 @@ pub(crate) struct Unknown {
 }
 
 /// A name and what became of it.
-pub(crate) struct Entry<'a, T> {
-    pub(crate) name: &'a str,
+pub(crate) struct Entry<T> {
+    /// Where it first stands.
+    pub(crate) name: Span,
     pub(crate) symbol: SymbolId,
     pub(crate) binding: Binding<T>,
     /// The statement that made the binding.
@@ -51,8 +52,8 @@ pub(crate) struct Entry<'a, T> {
     first: Option<DefinitionId>,
 }
 
-impl<'a, T> Entry<'a, T> {
-    const fn new(name: &'a str, symbol: SymbolId) -> Self {
+impl<T> Entry<T> {
+    const fn new(name: Span, symbol: SymbolId) -> Self {
         Self {
             name,
             symbol,
@@ -64,8 +65,12 @@ impl<'a, T> Entry<'a, T> {
 
     /// The first statement that bound it.
     pub(crate) fn first_bound(&self, symbols: &SymbolTable) -> Option<Span> {
-        let made = symbols.definitions().get(self.first?.index());
-        made.map(|definition| definition.line)
+        symbols.line(self.first?)
+    }
+
+    /// The last statement that bound it.
+    pub(crate) fn last_bound(&self, symbols: &SymbolTable) -> Option<Span> {
+        symbols.line(self.definition?)
     }
 
     pub(crate) const fn bound(&self) -> Option<&T> {
@@ -99,21 +104,23 @@ impl<'a, T> Entry<'a, T> {
 
 /// The names of one space, in the order in which they first stand in the file.
 pub(crate) struct Names<'a, T> {
+    text: &'a str,
     space: Space,
     ids: Ids,
-    pub(crate) entries: Vec<Entry<'a, T>>,
+    pub(crate) entries: Vec<Entry<T>>,
     /// The last statements that would have bound a name, but were ignored.
     ignored: HashMap<NameId, Span>,
 }
 
 impl<'a, T> Names<'a, T> {
-    pub(crate) fn new(space: Space) -> Self {
-        Self::with_room(space, 0)
+    pub(crate) fn new(text: &'a str, space: Space) -> Self {
+        Self::with_room(text, space, 0)
     }
 
     /// With room for about so many names.
-    pub(crate) fn with_room(space: Space, room: usize) -> Self {
+    pub(crate) fn with_room(text: &'a str, space: Space, room: usize) -> Self {
         Self {
+            text,
             space,
             ids: Ids::with_room(room),
             entries: Vec::with_capacity(room),
@@ -122,13 +129,13 @@ impl<'a, T> Names<'a, T> {
     }
 
     /// The number of the name at `span`, which is new if it never stood before; notes the place.
-    pub(crate) fn mention(&mut self, text: &'a str, span: Span, role: Role, symbols: &mut SymbolTable) -> NameId {
-        let name = span.of(text);
+    pub(crate) fn mention(&mut self, span: Span, role: Role, symbols: &mut SymbolTable) -> NameId {
+        let (text, name) = (self.text, span.of(self.text));
         let entries = &mut self.entries;
         let new = entries.len();
-        let id = self.ids.find_or_add(name, new, |id| is(entries, id, name));
+        let id = self.ids.find_or_add(name, new, |id| is(text, entries, id, name));
         if id == new {
-            entries.push(Entry::new(name, symbols.add(self.space, span)));
+            entries.push(Entry::new(span, symbols.add(self.space, span)));
         }
         let entry = &self.entries[id];
         let known = matches!(entry.binding, Binding::Bound(_)) && role != Role::Define;
@@ -139,13 +146,12 @@ impl<'a, T> Names<'a, T> {
     /// The number of the name at `span`, which a statement reads or edits; notes in `unknown` if nothing binds it.
     pub(crate) fn look_up(
         &mut self,
-        text: &'a str,
         span: Span,
         role: Role,
         symbols: &mut SymbolTable,
         unknown: &mut Vec<Unknown>,
     ) -> Result<NameId, Gap> {
-        let id = self.mention(text, span, role, symbols);
+        let id = self.mention(span, role, symbols);
         let entry = &self.entries[id];
         match entry.binding {
             Binding::Bound(_) => Ok(id),
@@ -164,15 +170,15 @@ impl<'a, T> Names<'a, T> {
 
     /// The number of a name, if it stood anywhere before.
     pub(crate) fn number(&self, name: &str) -> Option<NameId> {
-        self.ids.find(name, |id| is(&self.entries, id, name))
+        self.ids.find(name, |id| is(self.text, &self.entries, id, name))
     }
 
     /// The entry of a name, if it stood anywhere before.
-    pub(crate) fn find(&self, name: &str) -> Option<&Entry<'a, T>> {
+    pub(crate) fn find(&self, name: &str) -> Option<&Entry<T>> {
         self.entries.get(self.number(name)?)
     }
 
-    pub(crate) fn find_mut(&mut self, name: &str) -> Option<&mut Entry<'a, T>> {
+    pub(crate) fn find_mut(&mut self, name: &str) -> Option<&mut Entry<T>> {
         let id = self.number(name)?;
         self.entries.get_mut(id)
     }
@@ -189,6 +195,6 @@ impl<'a, T> Names<'a, T> {
 }
 
 /// Whether the entry with this number is that of the name.
-fn is<T>(entries: &[Entry<'_, T>], id: NameId, name: &str) -> bool {
-    entries.get(id).is_some_and(|entry| entry.name == name)
+fn is<T>(text: &str, entries: &[Entry<T>], id: NameId, name: &str) -> bool {
+    entries.get(id).is_some_and(|entry| entry.name.of(text) == name)
 }

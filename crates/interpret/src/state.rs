@@ -50,10 +50,10 @@ impl<'a> State<'a> {
         let room = text.len() / BYTES_PER_OBJECT;
         Self {
             text,
-            variables: Names::new(Space::Variable),
-            objects: Names::with_room(Space::Object, room),
-            paints: Names::new(Space::Material),
-            lamps: Names::new(Space::Light),
+            variables: Names::new(text, Space::Variable),
+            objects: Names::with_room(text, Space::Object, room),
+            paints: Names::new(text, Space::Material),
+            lamps: Names::new(text, Space::Light),
             stale: HashMap::new(),
             materials: vec![DEFAULT_MATERIAL],
             lights: Vec::new(),
@@ -74,14 +74,13 @@ impl<'a> State<'a> {
 
     /// The object that a statement uses or edits, if there is one.
     pub(crate) fn object(&mut self, span: Span, role: Role) -> Result<NameId, Gap> {
-        self.objects
-            .look_up(self.text, span, role, &mut self.symbols, &mut self.unknown)
+        self.objects.look_up(span, role, &mut self.symbols, &mut self.unknown)
     }
 
     /// The material that a statement uses, if there is one.
     pub(crate) fn paint(&mut self, span: Span) -> Result<NameId, Gap> {
         self.paints
-            .look_up(self.text, span, Role::Use, &mut self.symbols, &mut self.unknown)
+            .look_up(span, Role::Use, &mut self.symbols, &mut self.unknown)
     }
 
     /// The numbers of a statement's values; every name among them that is not bound is reported, once a statement.
@@ -107,7 +106,7 @@ impl<'a> State<'a> {
         let before = self.unknown.len();
         let id = self
             .variables
-            .look_up(self.text, span, Role::Use, &mut self.symbols, &mut self.unknown);
+            .look_up(span, Role::Use, &mut self.symbols, &mut self.unknown);
         let (earlier, new) = self.unknown.split_at(before);
         let again = |new: &Unknown| {
             earlier

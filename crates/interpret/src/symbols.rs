@@ -161,6 +161,12 @@ impl SymbolTable {
         ids.zip(self.definitions.iter().copied())
     }
 
+    /// The statement that made a definition.
+    pub(crate) fn line(&self, definition: DefinitionId) -> Option<Span> {
+        let made = self.definitions.get(definition.index());
+        made.map(|definition| definition.line)
+    }
+
     /// The name at an offset; one just behind a name counts, as a text cursor there does.
     #[must_use]
     pub fn at(&self, offset: u32) -> Option<Occurrence> {

@@ -82,7 +82,7 @@ enum Found<'s> {
 fn found<'s>(state: &'s State<'_>, row: &SettingInfo) -> Found<'s> {
     let names = [Some(row.name), row.alias];
     let entries = names.map(|name| name.and_then(|name| state.variables.find(name)));
-    let poisoned = |entry: &&crate::names::Entry<'_, Variable>| matches!(entry.binding, Binding::Poisoned);
+    let poisoned = |entry: &&crate::names::Entry<Variable>| matches!(entry.binding, Binding::Poisoned);
     if entries.iter().flatten().any(poisoned) {
         return Found::Poisoned;
     }

@@ -34,11 +34,9 @@ pub(super) fn check(state: &mut State<'_>, last: Span) -> Option<SolidId> {
         .objects
         .entries
         .iter()
-        .filter_map(|entry| Some((entry.bound()?, entry.name)));
-    let top = bound
-        .filter(|(object, _)| object.taken.is_none())
-        .max_by_key(|(object, _)| object.line.start);
-    let name = top.map_or("x", |(_, name)| name);
+        .filter(|entry| entry.bound().is_some_and(|object| object.taken.is_none()));
+    let top = bound.max_by_key(|entry| entry.last_bound(&state.symbols));
+    let name = top.map_or("x", |entry| entry.name.of(state.text));
     let clipped = scenec_syntax::quote(&format!("!{name} <="));
     let finding = finding.help(format!("submit the object to render: {clipped}"));
     state.report(finding);

@@ -27,9 +27,10 @@ fn describe<T>(
     suggestions: &mut Suggestions,
 ) -> Diagnostic {
     let entry = &names.entries[unknown.id];
+    let name = entry.name.of(state.text);
     let noun = unknown.space.noun();
     let sigil = unknown.space.sigil();
-    let word = quote(&format!("{sigil}{}", entry.name));
+    let word = quote(&format!("{sigil}{}", name));
     let message = format!("the {noun} {word} does not exist here, so this statement is ignored");
     let finding = Diagnostic::new(code, message, unknown.span, format!("no such {noun}"));
     if let Some(ignored) = unknown.ignored {
@@ -40,8 +41,8 @@ fn describe<T>(
             .label(later, format!("{word} is only made here"))
             .help("a statement knows only what stands before it: move this one down, or the other up");
     }
-    if let Some((other, made)) = elsewhere(state, entry.name) {
-        let theirs = quote(&format!("{}{}", other.sigil(), entry.name));
+    if let Some((other, made)) = elsewhere(state, name) {
+        let theirs = quote(&format!("{}{}", other.sigil(), name));
         return finding
             .label(
                 made,
@@ -58,8 +59,8 @@ fn describe<T>(
     let known = names
         .entries
         .iter()
-        .map(|other| before(other.first_bound(&state.symbols)).then_some(other.name));
-    match suggestions.closest(entry.name, known) {
+        .map(|other| before(other.first_bound(&state.symbols)).then_some(other.name.of(state.text)));
+    match suggestions.closest(name, known) {
         Some(near) => {
             let near_word = quote(&format!("{sigil}{near}"));
             finding

@@ -17,13 +17,17 @@ pub(super) fn report(state: &mut State<'_>, suggestions: &mut Suggestions) {
     for entry in &state.variables.entries {
         if let Some(variable) = entry.bound()
             && !variable.used
-            && setting(entry.name).is_none()
+            && setting(entry.name.of(state.text)).is_none()
         {
-            findings.push(unread(entry.name, variable, suggestions));
+            findings.push(unread(entry.name.of(state.text), variable, suggestions));
         }
     }
     for entry in &state.paints.entries {
-        findings.extend(entry.bound().and_then(|paint| redefined(entry.name, paint)));
+        findings.extend(
+            entry
+                .bound()
+                .and_then(|paint| redefined(entry.name.of(state.text), paint)),
+        );
     }
     for finding in findings {
         state.report(finding);

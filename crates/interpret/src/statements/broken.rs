@@ -29,18 +29,18 @@ pub(crate) fn broken(state: &mut State<'_>, line: Span, broken: &Broken) {
 }
 
 fn poison(state: &mut State<'_>, space: Space, name: Span) {
-    let (text, symbols) = (state.text, &mut state.symbols);
+    let symbols = &mut state.symbols;
     match space {
         Space::Variable => {
-            let id = state.variables.mention(text, name, Role::Define, symbols);
+            let id = state.variables.mention(name, Role::Define, symbols);
             state.variables.entries[id].binding = Binding::Poisoned;
         }
         Space::Material => {
-            let id = state.paints.mention(text, name, Role::Define, symbols);
+            let id = state.paints.mention(name, Role::Define, symbols);
             state.paints.entries[id].binding = Binding::Poisoned;
         }
         Space::Object => {
-            let id = state.objects.mention(text, name, Role::Define, symbols);
+            let id = state.objects.mention(name, Role::Define, symbols);
             operand::poison(state, id);
         }
         // Nothing refers to a light.

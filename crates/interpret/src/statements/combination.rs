@@ -10,9 +10,7 @@ use crate::names::Gap;
 use crate::state::State;
 
 pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, operator: Operator, operands: [Span; 2]) {
-    let id = state
-        .objects
-        .mention(state.text, name, Role::Define, &mut state.symbols);
+    let id = state.objects.mention(name, Role::Define, &mut state.symbols);
     let [left, right] = operands.map(|operand| state.object(operand, Role::Use));
     if left.is_err() && operands[0].of(state.text) == operands[1].of(state.text) && right == Err(Gap::Unknown) {
         // `a | a` misses one name, not two.

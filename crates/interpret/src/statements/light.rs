@@ -9,7 +9,7 @@ use crate::bindings::Lamp;
 use crate::state::State;
 
 pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, values: &[Value; 6]) {
-    let id = state.lamps.mention(state.text, name, Role::Define, &mut state.symbols);
+    let id = state.lamps.mention(name, Role::Define, &mut state.symbols);
     let numbers = state.numbers(values);
     let entry = &mut state.lamps.entries[id];
     // Nothing refers to a light, so one that is left out leaves nothing behind.
@@ -30,7 +30,7 @@ pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, values: &[Value
         None => state.lights.push(light),
     }
     if let Some((_, first)) = before {
-        let name = entry.name;
+        let name = entry.name.of(state.text);
         state.overwritten(Space::Light, name, first, line);
     }
 }

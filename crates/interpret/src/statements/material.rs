@@ -10,7 +10,7 @@ use crate::names::{Binding, Gap};
 use crate::state::State;
 
 pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, values: &[Value; 10]) {
-    let id = state.paints.mention(state.text, name, Role::Define, &mut state.symbols);
+    let id = state.paints.mention(name, Role::Define, &mut state.symbols);
     let numbers = state.numbers(values);
     let entry = &mut state.paints.entries[id];
     let numbers = match numbers {
@@ -34,7 +34,7 @@ pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, values: &[Value
         used: false,
         taken,
     };
-    let name = entry.name;
+    let name = entry.name.of(state.text);
     if let Some(before) = entry.bind(line, paint, &mut state.symbols)
         && !before.used
     {

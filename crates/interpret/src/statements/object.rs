@@ -9,9 +9,7 @@ use crate::Role;
 use crate::state::State;
 
 pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, base: Span) {
-    let id = state
-        .objects
-        .mention(state.text, name, Role::Define, &mut state.symbols);
+    let id = state.objects.mention(name, Role::Define, &mut state.symbols);
     let Some(known) = base_of(state, base) else {
         let finding = unknown_base(state, name, base);
         state.report(finding);

@@ -11,12 +11,12 @@ use crate::state::State;
 /// Binds an object's name, and reports what the old binding leaves undone.
 pub(super) fn bind(state: &mut State<'_>, id: NameId, solid: SolidId, line: Span) {
     let entry = &mut state.objects.entries[id];
-    let name = entry.name;
-    let Some(before) = entry.bind(line, Object::new(solid, line), &mut state.symbols) else {
+    let (name, made) = (entry.name.of(state.text), entry.last_bound(&state.symbols));
+    let Some(before) = entry.bind(line, Object::new(solid), &mut state.symbols) else {
         return;
     };
-    if !before.used {
-        state.overwritten(Space::Object, name, before.line, line);
+    if let Some(made) = made.filter(|_| !before.used) {
+        state.overwritten(Space::Object, name, made, line);
     }
     report_stale(state, id, &before);
 }
@@ -51,7 +51,7 @@ pub(crate) fn report_stale(state: &mut State<'_>, id: NameId, object: &Object) {
     let (Some(edits), Some(taken)) = (state.stale.remove(&id), object.taken) else {
         return;
     };
-    let name = quote(&format!("!{}", state.objects.entries[id].name));
+    let name = quote(&format!("!{}", state.objects.entries[id].name.of(state.text)));
     for edit in edits {
         state.report(
             Diagnostic::new(

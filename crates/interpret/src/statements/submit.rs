@@ -35,19 +35,19 @@ pub(super) fn after(state: &mut State<'_>, line: Span, statement: &Statement, su
         Form::Submit => Role::Use,
         _ => Role::Edit,
     };
-    let (text, symbols) = (state.text, &mut state.symbols);
-    state.objects.mention(text, statement.name(), role, symbols);
+    let symbols = &mut state.symbols;
+    state.objects.mention(statement.name(), role, symbols);
     match statement {
         Statement::Combination { left, right, .. } => {
             for operand in [left, right] {
-                let id = state.objects.mention(text, *operand, Role::Use, symbols);
+                let id = state.objects.mention(*operand, Role::Use, symbols);
                 if let Some(object) = state.objects.entries[id].bound_mut() {
                     object.used = true;
                 }
             }
         }
         Statement::MaterialSet { material, .. } => {
-            let id = state.paints.mention(text, *material, Role::Use, symbols);
+            let id = state.paints.mention(*material, Role::Use, symbols);
             if let Some(paint) = state.paints.entries[id].bound_mut() {
                 paint.used = true;
             }
@@ -55,7 +55,7 @@ pub(super) fn after(state: &mut State<'_>, line: Span, statement: &Statement, su
         _ => {
             for value in statement.values() {
                 if let ValueKind::Name(name) = value.kind {
-                    let id = state.variables.mention(text, name, Role::Use, symbols);
+                    let id = state.variables.mention(name, Role::Use, symbols);
                     if let Some(variable) = state.variables.entries[id].bound_mut() {
                         variable.used = true;
                     }

@@ -14,7 +14,7 @@ pub(super) fn apply(state: &mut State<'_>, line: Span, object: Result<NameId, Ga
         return;
     };
     if let Some(combined) = combination_of(state, id) {
-        let finding = of_a_combination(state.objects.entries[id].name, line, combined);
+        let finding = of_a_combination(state.objects.entries[id].name.of(state.text), line, combined);
         state.report(finding);
         return;
     }
@@ -36,7 +36,11 @@ pub(super) fn apply(state: &mut State<'_>, line: Span, object: Result<NameId, Ga
             }
         }
         Err(transform) => {
-            let finding = out_of_range(state.objects.entries[id].name, line, vanishes(&transform));
+            let finding = out_of_range(
+                state.objects.entries[id].name.of(state.text),
+                line,
+                vanishes(&transform),
+            );
             state.report(finding);
             return;
         }

@@ -9,9 +9,7 @@ use crate::names::{Binding, Gap};
 use crate::state::State;
 
 pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, value: Value) {
-    let id = state
-        .variables
-        .mention(state.text, name, Role::Define, &mut state.symbols);
+    let id = state.variables.mention(name, Role::Define, &mut state.symbols);
     let number = state.numbers(&[value]);
     let entry = &mut state.variables.entries[id];
     match number {
@@ -27,7 +25,7 @@ pub(super) fn run(state: &mut State<'_>, line: Span, name: Span, value: Value) {
             if let Some(before) = entry.bind(line, variable, &mut state.symbols)
                 && !before.used
             {
-                let name = entry.name;
+                let name = entry.name.of(state.text);
                 state.overwritten(Space::Variable, name, before.line, line);
             }
         }
