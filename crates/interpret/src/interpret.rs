@@ -42,7 +42,9 @@ pub fn interpret<L: Borrow<Line>>(
 ) -> (Interpretation, Vec<Diagnostic>) {
     let mut state = State::new(source.text());
     let mut end = None;
-    for line in lines {
+    let mut lines = lines.into_iter();
+    // A line is looked at where it lies: to move it takes time.
+    while let Some(line) = &lines.next() {
         let line = line.borrow();
         end = Some(line.comment.map_or(line.span, |comment| line.span.to(comment)));
         match &line.content {

@@ -4,17 +4,17 @@ use std::panic::resume_unwind;
 use std::thread;
 
 use scenec_interpret::{Interpretation, interpret};
-use scenec_syntax::{Line, read_ahead};
+use scenec_syntax::{Line, Lines, read_ahead};
 use scenec_text::{Diagnostic, SourceFile};
 
 use crate::context::Context;
 use crate::findings::{self, Findings};
 use crate::mend::mend;
-use crate::rules::{SOLIDS, STATEMENTS};
+use crate::rules::{EACH, SOLIDS, STATEMENTS};
 use crate::suppress::suppress;
 
 /// In files of fewer bytes the rules are through before a thread has come to life.
-const LARGE: usize = 1 << 20;
+const LARGE: usize = 1 << 16;
 
 /// A file that went all the way: what it means, and everything that was found.
 #[derive(Clone, Debug)]
@@ -30,24 +30,37 @@ pub struct Checked {
 #[must_use]
 pub fn check(source: &SourceFile) -> Checked {
     let (read, findings) = read_ahead(source, |lines| interpret(source, lines));
-    judge(source, findings, read)
+    judge(source, findings, read, apply)
+}
+
+/// The same without the rules about geometry, which take the longest, and on this thread alone.
+#[must_use]
+pub fn check_without_geometry(source: &SourceFile) -> Checked {
+    let mut lines = Lines::new(source);
+    let read = interpret(source, &mut lines);
+    judge(source, lines.findings(), read, |context| {
+        let mut findings = Findings::default();
+        findings.apply(STATEMENTS, context);
+        findings.sorted()
+    })
 }
 
 /// The same for a file whose lines are there already, with what reading them has found.
 #[must_use]
 pub fn check_lines(source: &SourceFile, lines: &[Line], findings: Vec<Diagnostic>) -> Checked {
-    judge(source, findings, interpret(source, lines))
+    judge(source, findings, interpret(source, lines), apply)
 }
 
 fn judge(
     source: &SourceFile,
     mut diagnostics: Vec<Diagnostic>,
     (interpretation, more): (Interpretation, Vec<Diagnostic>),
+    rules: impl FnOnce(&Context<'_>) -> Vec<Diagnostic>,
 ) -> Checked {
     diagnostics.extend(more);
     let context = Context::new(source, &interpretation);
     mend(&context, &mut diagnostics);
-    diagnostics.extend(apply(&context));
+    diagnostics.extend(rules(&context));
     findings::sort(&mut diagnostics);
     let diagnostics = suppress(source, diagnostics);
     Checked {
@@ -63,15 +76,17 @@ pub fn lint(source: &SourceFile, interpretation: &Interpretation) -> Vec<Diagnos
     apply(&Context::new(source, interpretation))
 }
 
-/// Every rule; in a large file the two kinds side by side, which share little that takes long to find out.
+/// Every rule; in a large file those that take longest beside the others, with which they share little that takes long to
+/// find out.
 fn apply(context: &Context<'_>) -> Vec<Diagnostic> {
     let mut findings = Findings::default();
     let Context {
         source, interpretation, ..
     } = *context;
     if source.text().len() < LARGE {
-        findings.apply(STATEMENTS, context);
-        findings.apply(SOLIDS, context);
+        for rules in [STATEMENTS, EACH, SOLIDS] {
+            findings.apply(rules, context);
+        }
         return findings.sorted();
     }
     let solids = || {
@@ -82,6 +97,7 @@ fn apply(context: &Context<'_>) -> Vec<Diagnostic> {
     thread::scope(|scope| {
         let solids = scope.spawn(solids);
         findings.apply(STATEMENTS, context);
+        findings.apply(EACH, context);
         findings.extend(solids.join().unwrap_or_else(|panic| resume_unwind(panic)));
     });
     findings.sorted()

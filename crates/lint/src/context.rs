@@ -32,6 +32,7 @@ pub(crate) struct Context<'a> {
     uses: OnceCell<Uses>,
     edits: OnceCell<Edits>,
     spoilt: OnceCell<Spoilt<'a>>,
+    variables: OnceCell<Vec<&'a Definition>>,
 }
 
 impl<'a> Context<'a> {
@@ -45,6 +46,7 @@ impl<'a> Context<'a> {
             uses: OnceCell::new(),
             edits: OnceCell::new(),
             spoilt: OnceCell::new(),
+            variables: OnceCell::new(),
         }
     }
 
@@ -233,13 +235,20 @@ impl<'a> Context<'a> {
         self.uses.get_or_init(|| Uses::of(&self.interpretation.symbols))
     }
 
+    /// Every definition of a variable; there are few of them in large files.
+    fn variables(&self) -> &[&'a Definition] {
+        let variable = |definition: &&'a Definition| self.named(definition).1 == Some(Space::Variable);
+        self.variables
+            .get_or_init(|| self.definitions().iter().filter(variable).collect())
+    }
+
     /// The statement that sets a setting for good, with the place of its value.
     pub(crate) fn setting(&self, row: &SettingInfo) -> Option<(Span, Span)> {
-        let named = |definition: &&Definition| {
-            let (name, space) = self.named(definition);
-            space == Some(Space::Variable) && (name == row.name || Some(name) == row.alias)
+        let named = |definition: &&'a Definition| {
+            let name = self.named(definition).0;
+            name == row.name || Some(name) == row.alias
         };
-        let line = self.definitions().iter().rev().find(named)?.line;
+        let line = self.variables().iter().rev().copied().find(named)?.line;
         Some((line, self.value_at(line, 0)))
     }
 

@@ -8,12 +8,13 @@ use crate::rule::Rule;
 
 /// Every rule. What one reports no other reports again.
 pub(crate) fn all() -> impl Iterator<Item = &'static Rule> {
-    STATEMENTS.iter().chain(SOLIDS)
+    STATEMENTS.iter().chain(EACH).chain(SOLIDS)
 }
 
-/// Rules that look at one statement, solid or number after the other.
+/// Rules that look at one statement or number after the other.
 pub(crate) const STATEMENTS: &[Rule] = &[
-    // Work that does nothing.
+    // Work that does nothing. First, so that its list of steps is gone before there are many others.
+    dropped::effectless_transform::RULE,
     dropped::unused_object::RULE,
     dropped::unused_material::RULE,
     dropped::idle_transform::RULE,
@@ -31,7 +32,10 @@ pub(crate) const STATEMENTS: &[Rule] = &[
     values::unbent_glass::RULE,
     values::many_samples::RULE,
     values::idle_depth::RULE,
-    // Solids that come out badly or not at all, each for itself.
+];
+
+/// Rules about solids that come out badly or not at all, each for itself.
+pub(crate) const EACH: &[Rule] = &[
     geometry::ill_conditioned::RULE,
     geometry::too_far_to_resolve::RULE,
     geometry::nothing_in_view::RULE,
@@ -40,8 +44,6 @@ pub(crate) const STATEMENTS: &[Rule] = &[
 /// Rules about how solids lie to each other and to points, each with its proof. In a large scene they take longer than
 /// all others.
 pub(crate) const SOLIDS: &[Rule] = &[
-    // First, so that its list of steps is gone before the trees of solids are built.
-    dropped::effectless_transform::RULE,
     geometry::covered_solid::RULE,
     geometry::idle_subtraction::RULE,
     geometry::empty_subtraction::RULE,

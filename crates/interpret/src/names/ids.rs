@@ -7,11 +7,21 @@ use hashbrown::DefaultHashBuilder;
 /// The fewest slots of a table that has any.
 const FEWEST: usize = 16;
 
+/// How far apart the places of two names lie that differ by one in the last byte but one: as many as there are characters that
+/// mostly end a name, so that no other name takes them.
+const ROW: u32 = 64;
+
+/// Places are the same above so many bits where names lie together; these times a number without a pattern, 2^32 over the
+/// golden ratio, are how far they give way to others.
+const STRIDE_SHIFT: u32 = 14;
+const STRIDE: u32 = 0x9E37_79B9;
+
 /// The numbers of names, by what the names hash to; it does not hold the names themselves.
 ///
-/// A name's place is that of its stem, which is all but its last byte, and the last byte more. Large files count their names up,
-/// and so those that follow one another lie side by side: ten of them wait for memory once. The places of stems have a
-/// seed of their own for every run, which keeps a file from being made so that its names meet in one place.
+/// A name's place is that of its stem, which is all but its last two bytes, moved by these. Large files count their names up,
+/// and so those that follow one another lie together: ten of them wait for memory once, a hundred are on one page of it. The
+/// places of stems have a seed of their own for every run, which keeps a file from being made so that its names meet in
+/// one place.
 #[derive(Default)]
 pub(super) struct Ids {
     /// A power of two of them, or none; at least a quarter is free, so that a search ends.
@@ -68,22 +78,26 @@ impl Ids {
     }
 
     fn place(&self, name: &str) -> u32 {
-        let (last, stem) = name.as_bytes().split_last().unwrap_or((&0, &[]));
+        let (stem, end) = name.as_bytes().split_at(name.len().saturating_sub(2));
         let mut hasher = self.hashing.build_hasher();
         hasher.write(stem);
-        ((hasher.finish() >> 32) as u32).wrapping_add(u32::from(*last))
+        let moved = end.iter().fold(0, |moved, byte| moved * ROW + u32::from(*byte));
+        ((hasher.finish() >> 32) as u32).wrapping_add(moved)
     }
 
     /// The number of a name, or the slot where it would be.
     fn search(&self, place: u32, is: impl Fn(usize) -> bool) -> Result<usize, usize> {
         let mask = self.slots.len().wrapping_sub(1);
         let mut at = place as usize & mask;
+        // Names that lie together give way to others together, and far, lest rows of them pile up. An odd stride comes by
+        // every slot before it comes back.
+        let stride = (place >> STRIDE_SHIFT).wrapping_mul(STRIDE) | 1;
         while let Some(slot) = self.slots.get(at).filter(|slot| !slot.is_free()) {
             let id = slot.id as usize;
             if slot.place == place && is(id) {
                 return Ok(id);
             }
-            at = (at + 1) & mask;
+            at = at.wrapping_add(stride as usize) & mask;
         }
         Err(at)
     }

@@ -1,7 +1,7 @@
 //! Transforms of an object into itself.
 
 use scenec_interpret::Role;
-use scenec_scene::{Axis, Base, DVec3, StepKind};
+use scenec_scene::{Axis, Base, DVec3, StepId, StepKind};
 use scenec_text::{Code, Diagnostic, Span};
 
 use crate::context::Context;
@@ -114,11 +114,42 @@ fn idle(kind: StepKind) -> bool {
     }
 }
 
+/// What is certain after each transform, by their numbers.
+struct After {
+    balls: Vec<bool>,
+    /// Not a number where nothing is certain: so a height takes eight bytes and not sixteen.
+    heights: Vec<f64>,
+}
+
+impl After {
+    fn with_room(steps: usize) -> Self {
+        Self {
+            balls: Vec::with_capacity(steps),
+            heights: Vec::with_capacity(steps),
+        }
+    }
+
+    fn get(&self, step: StepId) -> Option<Known> {
+        Some(Known {
+            ball: *self.balls.get(step.index())?,
+            height: self
+                .heights
+                .get(step.index())
+                .copied()
+                .filter(|height| !height.is_nan()),
+        })
+    }
+
+    fn push(&mut self, known: Known) {
+        self.balls.push(known.ball);
+        self.heights.push(known.height.unwrap_or(f64::NAN));
+    }
+}
+
 fn check(context: &Context<'_>, findings: &mut Findings) {
-    let mut after: Vec<Known> = Vec::with_capacity(context.steps().len());
+    let mut after = After::with_room(context.steps().len());
     for (index, step) in context.steps().iter().enumerate() {
-        let previous = step.previous.and_then(|id| after.get(id.index()));
-        let before = previous.copied().unwrap_or(UNTOUCHED);
+        let before = step.previous.and_then(|id| after.get(id)).unwrap_or(UNTOUCHED);
         after.push(before.after(step.kind));
         let reason = context.moved(index).and_then(|base| before.reason(base, step.kind));
         if let Some(reason) = reason.filter(|_| !idle(step.kind) && !shared(context, step.span)) {
