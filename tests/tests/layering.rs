@@ -72,7 +72,7 @@ const ROOMS: &[Room] = &[
             "scenec-cpu",
             "scenec-device",
         ],
-        &["plotters", "serde", "toml"],
+        &["plotters", "serde", "tempfile", "toml"],
     ),
     room(
         "scenec-lsp",

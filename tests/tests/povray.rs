@@ -12,9 +12,10 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use scenec_measure::povray;
 use scenec_picture::NOTHING;
 use scenec_scene::Scene;
-use scenec_tests::{Shot, root, scene, shots};
+use scenec_tests::{Shot, gallery, root, scene, shots};
 
 /// Colours are made of 0 and 1 alone, so that three bits name one; this is the sky's.
 const WHITE: u8 = 7;
@@ -108,10 +109,32 @@ fn differing(who: &str, ours: &Mask, theirs: &Mask, width: usize) -> usize {
     differing.len()
 }
 
+/// Whether there is one; says so if not.
+fn ready() -> bool {
+    let found = has_povray();
+    if !found {
+        println!("skipped: there is no povray");
+    }
+    found
+}
+
+#[test]
+fn the_gallery_means_the_same_in_its_language() {
+    if !ready() {
+        return;
+    }
+    for (name, mut scene) in gallery() {
+        (scene.settings.width, scene.settings.height) = (96, 72);
+        let shot = shots(&scene).swap_remove(0);
+        let theirs = povray::leaves(&scene).unwrap_or_else(|reason| panic!("{name}: {reason}"));
+        let astray = povray::astray(&theirs, shot.frame.ids.as_ref().unwrap(), 96);
+        assert!(astray < 0.001, "{name}: {astray} of the pixels off the edges");
+    }
+}
+
 #[test]
 fn povray_sees_the_same_surfaces() {
-    if !has_povray() {
-        println!("skipped: there is no povray");
+    if !ready() {
         return;
     }
     let scenes = names();

@@ -25,7 +25,10 @@ fn read(text: &str) -> Result<Scene, Vec<String>> {
 
 #[test]
 fn every_awkward_case_holds() {
-    let machines = Machines { device: device() };
+    let machines = Machines {
+        device: device(),
+        ..Machines::default()
+    };
     let mut verdicts = Vec::new();
     for case in cases().unwrap() {
         let judged = case

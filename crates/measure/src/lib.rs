@@ -12,6 +12,7 @@ mod effort;
 mod ladder;
 mod page;
 mod pareto;
+pub mod povray;
 mod run;
 mod setting;
 pub mod stability;

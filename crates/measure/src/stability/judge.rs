@@ -7,6 +7,7 @@ use super::case::{Case, Filled, Oracle, Run, Sum};
 use super::machines::{Machines, Shot};
 use super::picture_error as error;
 use super::{CaseError, Reader};
+use crate::povray;
 
 /// What came of one member of a case.
 #[derive(Clone, PartialEq, Debug)]
@@ -27,6 +28,9 @@ pub struct Verdict {
     pub beyond_single: Option<String>,
     /// Why the tracers take doubles here by themselves, if they do.
     pub wider: Option<String>,
+    /// What POV-Ray makes of it, if it was asked: the share of pixels off the edges where it shows another surface than the
+    /// reference, or why there is no picture of its.
+    pub povray: Option<Result<f64, String>>,
 }
 
 /// An error beside its threshold.
@@ -63,13 +67,13 @@ impl Verdict {
 /// If the case itself is wrong: its scene has errors that nothing expects, or can't be traced at all.
 pub fn judge(case: &Case, run: &Run, read: Reader<'_>, machines: &Machines<'_>) -> Result<Verdict, CaseError> {
     let filled = case.filled(run);
-    let work = Work { read, machines };
-    let errors = work.errors(&filled).map_err(|message| CaseError {
+    let found = findings(&filled, read, machines).map_err(|message| CaseError {
         name: format!("{} {}", case.name, run.name).trim().to_owned(),
         message,
     })?;
     let worst = |single: bool, threshold: f64| {
-        let of = errors.iter().filter(|one| one.single.is_none_or(|it| it == single));
+        let of = found.errors.iter();
+        let of = of.filter(|one| one.single.is_none_or(|it| it == single));
         of.max_by(|a, b| a.error.total_cmp(&b.error)).map(|one| Outcome {
             error: one.error,
             tracer: one.tracer.clone(),
@@ -84,8 +88,47 @@ pub fn judge(case: &Case, run: &Run, read: Reader<'_>, machines: &Machines<'_>) 
         single: worst(true, filled.single),
         double: worst(false, filled.double),
         beyond_single: run.beyond_single.clone(),
-        wider: work.wider(&filled),
+        wider: found.wider,
+        povray: found.povray,
     })
+}
+
+/// What is found of a member.
+#[derive(Default)]
+struct Findings {
+    errors: Vec<Off>,
+    wider: Option<String>,
+    povray: Option<Result<f64, String>>,
+}
+
+fn findings(filled: &Filled, read: Reader<'_>, machines: &Machines<'_>) -> Result<Findings, String> {
+    if let Oracle::Refused { code } = &filled.oracle {
+        let refused = matches!(read(&filled.scene), Err(codes) if codes.contains(code));
+        let error = Off {
+            tracer: "interpreter".to_owned(),
+            single: None,
+            error: if refused { 0.0 } else { 1.0 },
+        };
+        return Ok(Findings {
+            errors: vec![error],
+            ..Findings::default()
+        });
+    }
+    let work = Work { read, machines };
+    let scene = work.scene(&filled.scene)?;
+    let wider = Machines::beyond_single(&scene).map_err(said)?;
+    let reference = machines.reference(&scene).map_err(said)?;
+    Ok(Findings {
+        wider: wider.map(|reason| reason.to_string()),
+        povray: machines.povray.then(|| second_opinion(&scene, &reference)),
+        errors: work.errors(&filled.oracle, &scene, reference)?,
+    })
+}
+
+fn second_opinion(scene: &Scene, reference: &Shot) -> Result<f64, String> {
+    let ids = reference.frame.ids.as_deref().unwrap_or_default();
+    let seen = povray::leaves(scene)?;
+    Ok(povray::astray(&seen, ids, scene.settings.width as usize))
 }
 
 /// What one tracer is off by; `single` is open where the precision makes no difference.
@@ -101,21 +144,11 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    fn errors(&self, filled: &Filled) -> Result<Vec<Off>, String> {
-        if let Oracle::Refused { code } = &filled.oracle {
-            let refused = matches!((self.read)(&filled.scene), Err(codes) if codes.contains(code));
-            return Ok(vec![Off {
-                tracer: "interpreter".to_owned(),
-                single: None,
-                error: if refused { 0.0 } else { 1.0 },
-            }]);
-        }
-        let scene = self.scene(&filled.scene)?;
-        let reference = self.machines.reference(&scene).map_err(said)?;
-        let mut shots = self.machines.others(&scene).map_err(said)?;
-        match &filled.oracle {
+    fn errors(&self, oracle: &Oracle, scene: &Scene, reference: Shot) -> Result<Vec<Off>, String> {
+        let mut shots = self.machines.others(scene).map_err(said)?;
+        match oracle {
             Oracle::Reference => Ok(against(&reference, &shots)),
-            Oracle::Jitter => self.against_jitter(&scene, &reference, &shots),
+            Oracle::Jitter => self.against_jitter(scene, &reference, &shots),
             Oracle::Same { scene, calm, mirrored } => {
                 let other = self.scene(scene)?;
                 let mut others = self.machines.others(&other).map_err(said)?;
@@ -125,7 +158,7 @@ impl Work<'_> {
                 Ok(same(&shots, &others, mask.as_deref(), *mirrored))
             }
             Oracle::Finite => {
-                let again = self.machines.others(&scene).map_err(said)?;
+                let again = self.machines.others(scene).map_err(said)?;
                 Ok(each(&shots.iter().zip(&again).collect::<Vec<_>>(), |(a, b)| {
                     (a, error::unsteady(a, b))
                 }))
@@ -145,22 +178,15 @@ impl Work<'_> {
                 let [x, y, z] = centre.each_ref().map(number);
                 let way = DVec3::new(x?, y?, z?) - scene.settings.eyepos;
                 let radius = number(radius)?;
-                Ok(outline(&shots, &scene, |d| error::within_ball(way, radius, d)))
+                Ok(outline(&shots, scene, |d| error::within_ball(way, radius, d)))
             }
             Oracle::Plane { normal } => {
                 shots.push(reference);
                 let normal = DVec3::from_array(*normal).normalize();
-                Ok(outline(&shots, &scene, |d| (-d.dot(normal)).asin()))
+                Ok(outline(&shots, scene, |d| (-d.dot(normal)).asin()))
             }
             Oracle::Refused { .. } => Ok(Vec::new()),
         }
-    }
-
-    /// Why the tracers take doubles for a scene by themselves, if they do.
-    fn wider(&self, filled: &Filled) -> Option<String> {
-        let scene = (self.read)(&filled.scene).ok()?;
-        let reason = Machines::beyond_single(&scene).ok()??;
-        Some(reason.to_string())
     }
 
     fn scene(&self, text: &str) -> Result<Scene, String> {

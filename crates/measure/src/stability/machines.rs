@@ -12,6 +12,8 @@ use scenec_scene::Scene;
 pub struct Machines<'a> {
     /// The OpenCL device.
     pub device: Option<&'a DeviceInfo>,
+    /// Whether POV-Ray is asked for its opinion.
+    pub povray: bool,
 }
 
 /// A picture by one tracer.

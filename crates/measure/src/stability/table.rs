@@ -5,14 +5,17 @@ use std::fmt::Write;
 use super::Verdict;
 use super::judge::Outcome;
 
-/// A row for each verdict, and a closing line.
+/// A row for each verdict, and a closing line; with a column for POV-Ray if it was asked.
 #[must_use]
 pub fn table(verdicts: &[Verdict]) -> String {
-    let mut out = String::from(
-        "| case | member | condition | error f32 | allowed | error f64 | allowed | verdict |\n|---|---|---|---|---|---|---|---|\n",
-    );
+    let beside = verdicts.iter().any(|verdict| verdict.povray.is_some());
+    let mut out = String::from("| case | member | condition | error f32 | allowed | error f64 | allowed | verdict |");
+    out += if beside { " POV-Ray |\n" } else { "\n" };
+    out += "|---|---|---|---|---|---|---|---|";
+    out += if beside { "---|\n" } else { "\n" };
     for verdict in verdicts {
-        let _ = writeln!(out, "{}", row(verdict));
+        let opinion = if beside { opinion(verdict) } else { String::new() };
+        let _ = writeln!(out, "{}{opinion}", row(verdict));
     }
     let held = verdicts.iter().filter(|verdict| verdict.holds()).count();
     let _ = writeln!(out, "\n{held} of {} hold.", verdicts.len());
@@ -35,6 +38,15 @@ fn row(verdict: &Verdict) -> String {
         "| {}: {} | {} | {condition} | {single} | {allowed_single} | {double} | {allowed_double} | {words} |",
         verdict.case, verdict.title, verdict.run
     )
+}
+
+fn opinion(verdict: &Verdict) -> String {
+    match &verdict.povray {
+        None => " |".to_owned(),
+        Some(Ok(0.0)) => " the same |".to_owned(),
+        Some(Ok(share)) => format!(" {:.1} % other |", share * 100.0),
+        Some(Err(reason)) => format!(" {reason} |"),
+    }
 }
 
 fn cells(outcome: Option<&Outcome>) -> (String, String) {

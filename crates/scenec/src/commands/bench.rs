@@ -42,6 +42,12 @@ pub(crate) struct BenchOptions {
     /// against a closed form, another scene that must look the same, or the slow tracer.
     #[arg(long, conflicts_with_all = ["scenes", "output", "quick", "full", "size", "cache", "heat"])]
     stability: bool,
+    /// Ask POV-Ray too, which has to be installed, and add what it makes of each case to the table
+    ///
+    /// It is given each scene with every surface in a flat colour. What counts is the share of pixels, those on an edge left
+    /// out, where it shows another surface than the slow tracer.
+    #[arg(long, requires = "stability")]
+    povray: bool,
     /// Take about a minute for a small scene, with fewer pixels, samples and repetitions
     #[arg(long, conflicts_with = "full")]
     quick: bool,
@@ -69,6 +75,7 @@ Examples:
   scenec bench seed.scene -o bench --quick
   scenec bench scenes/glass.scene scenes/mirrors.scene -o bench --size 120x80 --device none
   scenec bench --stability > stability.md
+  scenec bench --stability --povray --device none > stability.md
 
 Exit codes:
   0    everything is written, and no picture is more wrong than its bound
@@ -99,7 +106,7 @@ impl BenchOptions {
     fn bench(&self) -> Result<Exit, Failure> {
         // Without the suite the arguments have to name a folder.
         let Some(output) = self.output.as_ref().filter(|_| !self.stability) else {
-            return stability::run(self.device()?);
+            return stability::run(self.device()?, self.povray);
         };
         interrupt::watch();
         let outputs = Outputs::at(output)?;

@@ -12,10 +12,10 @@ use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::{interrupt, progress};
 
-/// Runs every case and prints the table.
-pub(super) fn run(device: Option<&DeviceInfo>) -> Result<Exit, Failure> {
+/// Runs every case and prints the table, with what POV-Ray makes of them if it is asked.
+pub(super) fn run(device: Option<&DeviceInfo>, povray: bool) -> Result<Exit, Failure> {
     let broken = |error: CaseError| Failure::unusable(error.to_string());
-    let machines = Machines { device };
+    let machines = Machines { device, povray };
     let cases = stability::cases().map_err(broken)?;
     let runs: usize = cases.iter().map(|case| case.runs().len()).sum();
     let counter = Watch::new();
