@@ -5,7 +5,6 @@
 
 use std::fs;
 
-use scenec_lint::PRELUDE;
 use scenec_picture::Format;
 use scenec_scene::{Base, SETTINGS};
 use scenec_syntax::{FORMS, Form, FormInfo, Space};
@@ -37,14 +36,7 @@ fn any_of<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
 
 /// The name of a form in scopes and snippets: `material-set`.
 fn slug(form: Form) -> String {
-    let mut text = String::new();
-    for c in format!("{form:?}").chars() {
-        if c.is_uppercase() && !text.is_empty() {
-            text.push('-');
-        }
-        text.extend(c.to_lowercase());
-    }
-    text
+    form.name().replace(' ', "-")
 }
 
 /// The words of a form's example behind its name and its operator.
@@ -205,19 +197,19 @@ fn body(row: &FormInfo) -> String {
 
 /// The settings that have no default, with a stop at each value.
 fn settings_body() -> Vec<String> {
-    let lines = PRELUDE.lines().filter_map(|line| line.split_once(" := ")).enumerate();
+    let required = SETTINGS.iter().filter(|row| row.default.is_none());
+    let lines = required.enumerate();
     lines
-        .map(|(index, (name, value))| format!("{name} := ${{{}:{value}}}", index + 1))
+        .map(|(index, row)| format!("{} := ${{{}:{}}}", row.name, index + 1, row.usual))
         .collect()
 }
 
 fn snippets() -> Value {
     let mut snippets = Map::new();
     for row in FORMS {
-        let name = slug(row.form);
         snippets.insert(
-            name.replace('-', " "),
-            json!({"prefix": name, "body": body(row), "description": row.meaning.replace('`', "")}),
+            row.form.name().to_owned(),
+            json!({"prefix": slug(row.form), "body": body(row), "description": row.meaning.replace('`', "")}),
         );
     }
     snippets.insert(

@@ -78,7 +78,7 @@ pub fn actions(document: &Document, span: Span) -> Vec<Action> {
 /// What there is to do about a finding beyond its own repair.
 fn offers(document: &Document, finding: &Diagnostic) -> Vec<Offer> {
     match finding.code {
-        Code::MissingSettings => create::settings(document, finding).into_iter().collect(),
+        Code::MissingSettings => create::settings(document).into_iter().collect(),
         Code::UnknownObject | Code::UnknownMaterial | Code::UnknownVariable => {
             create::named(document, finding).into_iter().collect()
         }

@@ -14,8 +14,10 @@ use crate::look::{Look, Piece, Shape, is_joint};
 /// Something that may be written at the cursor.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Completion {
-    /// What the list shows, and what typed letters are compared with.
+    /// What the list shows.
     pub label: String,
+    /// What typed letters are compared with.
+    pub filter: String,
     /// What it is.
     pub kind: CompletionKind,
     /// A short phrase beside the label; may be empty.
@@ -163,6 +165,7 @@ impl<'a> Cursor<'a> {
         let label = label.into();
         Completion {
             insert: label.clone(),
+            filter: label.clone(),
             label,
             kind,
             detail: String::new(),

@@ -1,29 +1,14 @@
-//! The settings of a document: what each is given as, and what a new scene would say.
+//! The settings of a document: what each is given as, and what is proposed for it.
 
 use scenec_interpret::DefinitionId;
 use scenec_scene::{SETTINGS, SettingInfo, SettingRange};
+use scenec_text::Code;
 
 use crate::Document;
 use crate::words::{angle, figure};
 
-/// What a setting is when a scene is begun: a picture of usual size, a camera a little above the ground that looks at
-/// the origin, and a pale sky. For an optional one it is the default.
-pub(crate) fn usual(row: &SettingInfo) -> f64 {
-    if let Some(default) = row.default {
-        return default;
-    }
-    match row.name {
-        "width" => 600.0,
-        "height" => 400.0,
-        "eyepos_y" => 1.5,
-        "eyepos_z" => 5.0,
-        "ambient_r" => 0.5,
-        "ambient_g" => 0.7,
-        "ambient_b" | "ambient_int_r" | "ambient_int_g" | "ambient_int_b" => 1.0,
-        "raydepth" => 4.0,
-        _ => 0.0,
-    }
-}
+/// What stands between a setting and its value.
+const ASSIGNS: &str = " := ";
 
 /// A value of a setting in words: an angle as one.
 pub(crate) fn spoken(row: &SettingInfo, value: f64) -> String {
@@ -35,6 +20,23 @@ pub(crate) fn spoken(row: &SettingInfo, value: f64) -> String {
 }
 
 impl Document {
+    /// The lines that would give the settings that are missing: what the finding about them proposes.
+    pub(crate) fn proposed_settings(&self) -> Vec<&str> {
+        let mut findings = self.diagnostics().iter();
+        let help = findings.find(|found| found.code == Code::MissingSettings);
+        let help = help.and_then(|found| found.help.as_deref()).unwrap_or_default();
+        help.lines().filter(|line| line.contains(ASSIGNS)).collect()
+    }
+
+    /// What a setting would be given as: as proposed where it is missing, else as a new scene has it.
+    pub(crate) fn proposed(&self, row: &SettingInfo) -> String {
+        // Optional ones are never missed.
+        let missed = row.default.is_none().then(|| self.proposed_settings());
+        let mut lines = missed.into_iter().flatten();
+        let value = lines.find_map(|line| line.strip_prefix(row.name)?.strip_prefix(ASSIGNS));
+        value.map_or_else(|| row.usual.to_string(), str::to_owned)
+    }
+
     /// The last statement that binds a setting, under either of its spellings.
     pub(crate) fn setting(&self, row: &SettingInfo) -> Option<DefinitionId> {
         let number = SETTINGS.iter().position(|known| known.name == row.name)?;

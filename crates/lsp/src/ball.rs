@@ -45,7 +45,7 @@ struct Studio {
 
 impl Studio {
     fn ball(&mut self, material: &Material) -> Option<String> {
-        let key = key(material);
+        let key = material.values().map(f64::to_bits);
         if let Some((_, image)) = self.done.iter().find(|(known, _)| *known == key) {
             return Some(image.clone());
         }
@@ -83,24 +83,6 @@ fn image(frame: &Frame) -> Option<String> {
     encode(&frame.picture, &Encoding::of(Format::from_name("png")?), &mut png).ok()?;
     let png = STANDARD.encode(png.into_inner());
     Some(format!("![a ball of the material](data:image/png;base64,{png})"))
-}
-
-fn key(material: &Material) -> Key {
-    let Material {
-        ambient,
-        diffuse,
-        specular,
-        reflect,
-        refract,
-        index,
-        shiny,
-        colour,
-        span: _,
-    } = *material;
-    [
-        ambient, diffuse, specular, reflect, refract, index, shiny, colour.x, colour.y, colour.z,
-    ]
-    .map(f64::to_bits)
 }
 
 #[cfg(test)]

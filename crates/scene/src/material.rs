@@ -85,6 +85,24 @@ impl Material {
             span: Some(span),
         }
     }
+
+    /// The ten values of a statement that makes this material: what [`Material::from_values`] takes.
+    #[must_use]
+    pub const fn values(&self) -> [f64; 10] {
+        let DVec3 { x: r, y: g, z: b } = self.colour;
+        [
+            self.ambient,
+            self.diffuse,
+            self.specular,
+            self.reflect,
+            self.refract,
+            self.index,
+            self.shiny,
+            r,
+            g,
+            b,
+        ]
+    }
 }
 
 /// A point light; its strength does not fall with distance.

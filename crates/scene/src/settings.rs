@@ -47,19 +47,30 @@ pub struct SettingInfo {
     pub alias: Option<&'static str>,
     /// The value of a file that does not say; `None` for a required one.
     pub default: Option<f64>,
+    /// What a new scene begins with: a picture of usual size, a camera a little above the ground that looks at the origin,
+    /// a pale sky. For an optional setting it is the default.
+    pub usual: f64,
     /// What it may hold.
     pub range: SettingRange,
     /// What it means, in one phrase.
     pub meaning: &'static str,
 }
 
-const fn row(name: &'static str, default: Option<f64>, range: SettingRange, meaning: &'static str) -> SettingInfo {
+const fn required(name: &'static str, usual: f64, range: SettingRange, meaning: &'static str) -> SettingInfo {
     SettingInfo {
         name,
         alias: None,
-        default,
+        default: None,
+        usual,
         range,
         meaning,
+    }
+}
+
+const fn optional(name: &'static str, default: f64, range: SettingRange, meaning: &'static str) -> SettingInfo {
+    SettingInfo {
+        default: Some(default),
+        ..required(name, default, range, meaning)
     }
 }
 
@@ -67,42 +78,39 @@ use SettingRange::{Angle, Any, Whole};
 
 /// Every setting, in the order in which missing ones are listed.
 pub const SETTINGS: &[SettingInfo] = &[
-    row("width", None, Whole(1, 65535), "pixel columns"),
-    row("height", None, Whole(1, 65535), "pixel rows"),
-    row("lookat_x", None, Any, "x of the point that the camera looks at"),
-    row("lookat_y", None, Any, "y of the point that the camera looks at"),
-    row("lookat_z", None, Any, "z of the point that the camera looks at"),
-    row("eyepos_x", None, Any, "x of the camera's place"),
-    row("eyepos_y", None, Any, "y of the camera's place"),
-    row("eyepos_z", None, Any, "z of the camera's place"),
-    row("ambient_r", None, Any, "red of the ambient light and the sky overhead"),
-    row(
-        "ambient_g",
-        None,
-        Any,
-        "green of the ambient light and the sky overhead",
-    ),
-    row("ambient_b", None, Any, "blue of the ambient light and the sky overhead"),
-    row("ambient_int_r", None, Any, "intensity of the ambient red"),
-    row("ambient_int_g", None, Any, "intensity of the ambient green"),
-    row("ambient_int_b", None, Any, "intensity of the ambient blue"),
+    required("width", 600.0, Whole(1, 65535), "pixel columns"),
+    required("height", 400.0, Whole(1, 65535), "pixel rows"),
+    required("lookat_x", 0.0, Any, "x of the point that the camera looks at"),
+    required("lookat_y", 0.0, Any, "y of the point that the camera looks at"),
+    required("lookat_z", 0.0, Any, "z of the point that the camera looks at"),
+    required("eyepos_x", 0.0, Any, "x of the camera's place"),
+    required("eyepos_y", 1.0, Any, "y of the camera's place"),
+    required("eyepos_z", 5.0, Any, "z of the camera's place"),
+    required("ambient_r", 0.2, Any, "red of the ambient light and the sky overhead"),
+    required("ambient_g", 0.3, Any, "green of the ambient light and the sky overhead"),
+    required("ambient_b", 0.5, Any, "blue of the ambient light and the sky overhead"),
+    required("ambient_int_r", 1.0, Any, "intensity of the ambient red"),
+    required("ambient_int_g", 1.0, Any, "intensity of the ambient green"),
+    required("ambient_int_b", 1.0, Any, "intensity of the ambient blue"),
     SettingInfo {
-        name: "raydepth",
         alias: Some("max_reflections"),
-        default: None,
-        range: Whole(0, 1024),
-        meaning: "the most reflections and refractions of one path",
+        ..required(
+            "raydepth",
+            4.0,
+            Whole(0, 1024),
+            "the most reflections and refractions of one path",
+        )
     },
-    row(
+    optional(
         "fov",
-        Some(std::f64::consts::FRAC_PI_2),
+        std::f64::consts::FRAC_PI_2,
         Angle,
         "horizontal field of view in radians",
     ),
-    row("up_x", Some(0.0), Any, "x of the up direction"),
-    row("up_y", Some(1.0), Any, "y of the up direction"),
-    row("up_z", Some(0.0), Any, "z of the up direction"),
-    row("samples", Some(1.0), Whole(1, 4096), "sample points per pixel"),
+    optional("up_x", 0.0, Any, "x of the up direction"),
+    optional("up_y", 1.0, Any, "y of the up direction"),
+    optional("up_z", 0.0, Any, "z of the up direction"),
+    optional("samples", 1.0, Whole(1, 4096), "sample points per pixel"),
 ];
 
 /// The row of a setting, by its name or its other spelling.
@@ -165,7 +173,7 @@ impl Settings {
 
 #[cfg(test)]
 mod tests {
-    use super::setting;
+    use super::{SETTINGS, setting};
 
     fn check(name: &str, value: f64, expect: bool) {
         assert_eq!(
@@ -187,5 +195,13 @@ mod tests {
         check("fov", std::f64::consts::PI, false);
         check("fov", 1e-9, true);
         check("eyepos_x", -1e300, true);
+    }
+
+    #[test]
+    fn what_a_new_scene_begins_with_is_allowed() {
+        for row in SETTINGS {
+            assert!(row.range.holds(row.usual), "{}", row.name);
+            assert!(row.default.is_none_or(|default| default == row.usual), "{}", row.name);
+        }
     }
 }

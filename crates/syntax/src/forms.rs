@@ -179,6 +179,23 @@ impl Form {
         // The table stands in the order of the enum; a test holds it to that.
         &FORMS[self as usize]
     }
+
+    /// What such a statement is called, in a word or two.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Variable => "variable",
+            Self::Object => "object",
+            Self::Combination => "combination",
+            Self::MaterialSet => "material set",
+            Self::Scale => "scale",
+            Self::Rotate => "rotate",
+            Self::Translate => "translate",
+            Self::Submit => "submit",
+            Self::Light => "light",
+            Self::Material => "material",
+        }
+    }
 }
 
 /// The forms of statements that begin with a name of this space, for a help line.

@@ -10,9 +10,8 @@ use crate::camera::number;
 use crate::insert::{line_end, new_line_before, new_settings};
 
 /// The settings that are missing, with the values that the finding proposes.
-pub(super) fn settings(document: &Document, finding: &Diagnostic) -> Option<Offer> {
-    let proposed = finding.help.as_deref().unwrap_or_default().lines();
-    let lines: Vec<&str> = proposed.filter(|line| line.contains(" := ")).collect();
+pub(super) fn settings(document: &Document) -> Option<Offer> {
+    let lines = document.proposed_settings();
     let title = match lines.as_slice() {
         [] => return None,
         [_] => "add the missing setting".to_owned(),
@@ -40,18 +39,5 @@ pub(super) fn named(document: &Document, finding: &Diagnostic) -> Option<Offer> 
 
 /// The values of the material that objects have without one.
 fn default_material() -> String {
-    let material = DEFAULT_MATERIAL;
-    let values = [
-        material.ambient,
-        material.diffuse,
-        material.specular,
-        material.reflect,
-        material.refract,
-        material.index,
-        material.shiny,
-        material.colour.x,
-        material.colour.y,
-        material.colour.z,
-    ];
-    values.map(number).join(" ")
+    DEFAULT_MATERIAL.values().map(number).join(" ")
 }

@@ -8,11 +8,18 @@ use crate::fields::meaning;
 use crate::words::{code, figure};
 
 impl Cursor<'_> {
-    /// Every statement, or those about a name space, as snippets.
+    /// Every statement, or those about a name space, as snippets. Without the sigil it is found by what it is called.
     pub(super) fn statements(&self, space: Option<Space>) -> Vec<Completion> {
         let rows = FORMS.iter().filter(|row| space.is_none_or(|space| row.space == space));
-        rows.map(|row| self.statement(row, row.text, snippet(row, 0, &AXES)))
-            .collect()
+        let items = rows.map(|row| {
+            let item = self.statement(row, row.text, snippet(row, 0, &AXES));
+            let filter = match space {
+                None => format!("{} {}", row.form.name(), row.text),
+                Some(_) => item.filter,
+            };
+            Completion { filter, ..item }
+        });
+        items.collect()
     }
 
     /// What may follow the name that a line begins with: the rest of a statement, or an operator alone where something
@@ -116,12 +123,7 @@ fn usual(form: Form, field: usize) -> String {
         Form::Scale => 1.0,
         Form::Rotate => return "pi".to_owned(),
         Form::Light => [0.0, 5.0, 5.0, 1.0, 1.0, 1.0].get(field).copied().unwrap_or_default(),
-        Form::Material => {
-            let m = DEFAULT_MATERIAL;
-            let rest = [m.ambient, m.diffuse, m.specular, m.reflect, m.refract, m.index, m.shiny];
-            let [r, g, b] = m.colour.to_array();
-            rest.into_iter().chain([r, g, b]).nth(field).unwrap_or_default()
-        }
+        Form::Material => DEFAULT_MATERIAL.values().get(field).copied().unwrap_or_default(),
         _ => 0.0,
     };
     figure(value)

@@ -6,7 +6,6 @@ use scenec_syntax::{Space, Statement};
 
 use super::{Completion, CompletionKind, Cursor, MOST_NAMES};
 use crate::look::Shape;
-use crate::settings::usual;
 use crate::words::{code, figure, hex, look};
 
 impl Cursor<'_> {
@@ -101,7 +100,7 @@ impl Cursor<'_> {
         let name = shape.name.map_or("", |name| self.document.words(name));
         let usual = setting(name).map(|row| Completion {
             detail: format!("{}, {}", row.meaning, row.range.words()),
-            ..self.item(CompletionKind::Constant, usual(row).to_string())
+            ..self.item(CompletionKind::Constant, self.document.proposed(row))
         });
         usual.into_iter().chain(self.values()).collect()
     }

@@ -1,8 +1,9 @@
 //! What is offered at a mark in a text.
 
-use scenec_text::{Diagnostic, Severity};
+use scenec_syntax::FORMS;
+use scenec_text::{Diagnostic, Severity, Span};
 
-use super::{MOST_NAMES, completions};
+use super::{CompletionKind, MOST_NAMES, completions};
 use crate::marked::marked;
 
 /// Compares what is offered: for each item the words it replaces, an arrow, and what it writes.
@@ -119,6 +120,43 @@ fn a_line_begins_with_a_setting_a_statement_or_a_name() {
         &["→lamp", "*→*${1:x} := ${2:0} ${3:5} ${4:5} ${5:1} ${6:1} ${7:1}"],
     );
     after("*la$0mp := 1", &["lamp→lamp"]);
+}
+
+#[test]
+fn statements_are_found_by_what_they_are_called_and_by_what_they_are() {
+    let filters = |text: &str| {
+        let (document, offset) = marked(text);
+        let list = completions(&document, offset).into_iter();
+        let statements = list.filter(|item| item.kind == CompletionKind::Statement);
+        statements.map(|item| item.filter).collect::<Vec<_>>()
+    };
+    let all = filters("$0");
+    assert_eq!(all.len(), FORMS.len());
+    assert!(all.contains(&"material set !x ?= m".to_owned()), "{all:?}");
+    assert_eq!(filters("*$0"), ["*x := a b c r g b"]);
+}
+
+/// What is proposed for a setting does not depend on who proposes it.
+#[test]
+fn settings_are_proposed_as_the_repair_would_write_them() {
+    for text in [
+        "!a := sphere\n!a <=\n$0",
+        "?m := 0 0 0 1 0 1 0 0 0 0\nwidth := 5\n!a := sphere\n!a ?= m\n!a <=\n$0",
+    ] {
+        let (document, offset) = marked(text);
+        let all = completions(&document, offset).remove(0);
+        let mut plain = all.insert;
+        for number in 1..=15 {
+            plain = plain.replace(&format!("${{{number}:"), "");
+        }
+        // The finding stands at the last statement.
+        let actions = crate::actions(&document, Span::at(offset - 1));
+        let repair = actions
+            .iter()
+            .find(|action| action.title.ends_with("missing settings"))
+            .unwrap();
+        assert_eq!(plain.replace('}', ""), repair.edits[0].text.trim(), "{text}");
+    }
 }
 
 #[test]

@@ -5,7 +5,7 @@ use scenec_syntax::Space;
 
 use super::form::Writer;
 use super::{Completion, CompletionKind, Cursor};
-use crate::settings::{spoken, usual};
+use crate::settings::spoken;
 
 impl Cursor<'_> {
     /// What a line may begin with.
@@ -51,7 +51,7 @@ impl Cursor<'_> {
 
     fn setting(&self, row: &SettingInfo) -> Completion {
         let mut writer = Writer::new();
-        assign(&mut writer, row);
+        self.assign(&mut writer, row);
         let default = row
             .default
             .map(|value| format!("; {} if it is not given", spoken(row, value)));
@@ -71,7 +71,7 @@ impl Cursor<'_> {
             if !writer.text.is_empty() {
                 writer.text.push('\n');
             }
-            assign(&mut writer, row);
+            self.assign(&mut writer, row);
         }
         let names: Vec<_> = missing.iter().map(|row| format!("`{}`", row.name)).collect();
         Completion {
@@ -82,10 +82,10 @@ impl Cursor<'_> {
             ..self.item(CompletionKind::Setting, "all missing settings")
         }
     }
-}
 
-fn assign(writer: &mut Writer, row: &SettingInfo) {
-    writer.plain(row.name);
-    writer.plain(" := ");
-    writer.stop(&usual(row).to_string());
+    fn assign(&self, writer: &mut Writer, row: &SettingInfo) {
+        writer.plain(row.name);
+        writer.plain(" := ");
+        writer.stop(&self.document.proposed(row));
+    }
 }

@@ -41,7 +41,7 @@ pub(super) fn said(document: &Document, name: Span, id: Option<DefinitionId>, pl
 /// The ten values, and what they come to.
 pub(super) fn table(material: &Material) -> String {
     let mut text = String::from("| | | |\n|:---------|------:|:---|\n");
-    for (field, value) in MATERIAL_FIELDS.iter().zip(values(material)) {
+    for (field, value) in MATERIAL_FIELDS.iter().zip(material.values()) {
         let name = format!("`{}`", field.name);
         let _ = writeln!(text, "| {name:<10} | {:>6} | {} |", figure(value), field.meaning);
     }
@@ -73,13 +73,4 @@ fn share(what: &str, sum: f64) -> String {
         ""
     };
     format!("{what} = {}{warning}", figure(sum))
-}
-
-/// The ten values in the order of the statement.
-fn values(material: &Material) -> [f64; 10] {
-    let m = material;
-    let [r, g, b] = m.colour.to_array();
-    [
-        m.ambient, m.diffuse, m.specular, m.reflect, m.refract, m.index, m.shiny, r, g, b,
-    ]
 }

@@ -7,25 +7,6 @@ use crate::bindings::Variable;
 use crate::names::Binding;
 use crate::state::State;
 
-/// What a file that lacks a required setting may paste in.
-const EXAMPLES: &[(&str, &str)] = &[
-    ("width", "600"),
-    ("height", "400"),
-    ("lookat_x", "0"),
-    ("lookat_y", "0"),
-    ("lookat_z", "0"),
-    ("eyepos_x", "0"),
-    ("eyepos_y", "1"),
-    ("eyepos_z", "5"),
-    ("ambient_r", "0.2"),
-    ("ambient_g", "0.3"),
-    ("ambient_b", "0.5"),
-    ("ambient_int_r", "1"),
-    ("ambient_int_g", "1"),
-    ("ambient_int_b", "1"),
-    ("raydepth", "4"),
-];
-
 /// The settings, and whether each of them is given and in range; where not, another value stands for it. Reports what is
 /// missing or out of range.
 pub(super) fn gather(state: &mut State<'_>, last: Span) -> (Settings, bool) {
@@ -169,30 +150,8 @@ fn report_missing(state: &State<'_>, missing: &[(&SettingInfo, Option<Span>)], l
         .map(|(row, _)| match row.name {
             // More would be of no use to anything in the file.
             "raydepth" if !bounces => "raydepth := 0".to_owned(),
-            name => format!("{name} := {}", example(name)),
+            name => format!("{name} := {}", row.usual),
         })
         .collect();
     finding.help(format!("add, with values of your own:\n{}", lines.join("\n")))
-}
-
-fn example(name: &str) -> &'static str {
-    EXAMPLES
-        .iter()
-        .find(|(known, _)| *known == name)
-        .map_or("0", |(_, value)| value)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{EXAMPLES, SETTINGS};
-
-    #[test]
-    fn every_required_setting_has_an_example_in_its_range() {
-        let required: Vec<_> = SETTINGS.iter().filter(|row| row.default.is_none()).collect();
-        assert_eq!(required.len(), EXAMPLES.len());
-        for (row, (name, value)) in required.iter().zip(EXAMPLES) {
-            assert_eq!(row.name, *name);
-            assert!(row.range.holds(value.parse().unwrap()), "{name}");
-        }
-    }
 }

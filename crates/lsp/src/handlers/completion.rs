@@ -38,6 +38,7 @@ fn item(view: &View, found: Completion) -> CompletionItem {
         sort_text: Some(format!("{:06}", found.order)),
         insert_text_format: snippet.then_some(InsertTextFormat::SNIPPET),
         text_edit: Some(CompletionTextEdit::Edit(TextEdit::new(view.range(found.replace), text))),
+        filter_text: (found.filter != found.label).then_some(found.filter),
         label: found.label,
         ..CompletionItem::default()
     }
