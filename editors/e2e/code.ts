@@ -3,7 +3,7 @@
 
 import { type ChildProcess, execFileSync, spawn } from "node:child_process";
 import { once } from "node:events";
-import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { createInterface } from "node:readline";
 
@@ -24,13 +24,21 @@ export interface Code {
   open(payload?: [string, string][], expose?: (page: Page) => Promise<void>): Promise<Page>;
   /** The address of a file as the window names it. */
   remote(file: string): string;
+  /** Replaces the settings of the folder. */
+  set(settings: object): void;
+  /** The processes of the extension's server. */
+  servers(): number[];
   /** What the tests inside wrote: a line of JSON for each. */
   results(): string[];
   close(): Promise<void>;
 }
 
-/** Starts VS Code on a folder with these files. */
-export async function startCode(files: Record<string, string>, settings: object = {}): Promise<Code> {
+/** Starts VS Code on a folder with these files, these settings of the folder, and these of the user beside the usual ones. */
+export async function startCode(
+  files: Record<string, string>,
+  settings: object = {},
+  user: object = {},
+): Promise<Code> {
   const vsix = process.env.SCENEC_VSIX;
   if (vsix === undefined) {
     throw new Error("SCENEC_VSIX names no package");
@@ -41,10 +49,14 @@ export async function startCode(files: Record<string, string>, settings: object 
   for (const folder of ["ws", "home", "tmp", "ud/User"]) {
     mkdirSync(at(folder), { recursive: true });
   }
-  cpSync(path.join(HERE, "settings.json"), at("ud/User/settings.json"));
-  if (Object.keys(settings).length > 0) {
-    mkdirSync(at("ws/.vscode"));
+  const usual = JSON.parse(readFileSync(path.join(HERE, "settings.json"), "utf8"));
+  writeFileSync(at("ud/User/settings.json"), JSON.stringify({ ...usual, ...user }));
+  const set = (settings: object) => {
+    mkdirSync(at("ws/.vscode"), { recursive: true });
     writeFileSync(at("ws/.vscode/settings.json"), JSON.stringify(settings));
+  };
+  if (Object.keys(settings).length > 0) {
+    set(settings);
   }
   for (const [name, text] of Object.entries(files)) {
     writeFileSync(at(path.join("ws", name)), text);
@@ -85,6 +97,8 @@ export async function startCode(files: Record<string, string>, settings: object 
       await page.goto(`http://127.0.0.1:${port}/?${query}`);
       return page;
     },
+    set,
+    servers: () => serversIn(root),
     results: () => readFileSync(at("results"), "utf8").trimEnd().split("\n"),
     async close() {
       await browser.close();
@@ -126,6 +140,14 @@ async function listeningPort(server: ChildProcess): Promise<number> {
     }
   }
   throw new Error("the server ended before it listened");
+}
+
+/** The servers that were started from a folder's packaged extension. */
+function serversIn(root: string): number[] {
+  const all = execFileSync("ps", ["-eo", "pid=,args="], { encoding: "utf8" }).split("\n");
+  return all
+    .filter(line => line.includes(root) && /server\/scenec lsp( |$)/.test(line))
+    .map(line => Number.parseInt(line, 10));
 }
 
 /** Ends the server and everything that it started. */

@@ -26,6 +26,18 @@ const SETTINGS = [
 /** How many lines come before the statements. */
 export const HEAD = SETTINGS.length;
 
+/** A ball of a colour in the middle of the picture, so finely sampled that it takes its time. */
+export function fine(colour: string): string {
+  return scene(
+    "samples := 256",
+    `?paint := 0.5 0.5 0 0 0 1 20 ${colour}`,
+    "!ball := sphere",
+    "!ball ?= paint",
+    "!ball <=",
+    "*lamp := 0 0 9 1 1 1",
+  );
+}
+
 /** A red ball in the middle of the picture, and an edit that comes too late. */
 export const BALL = scene(
   "?red := 0.5 0.5 0 0 0 1 20 1 0 0",

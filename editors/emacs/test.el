@@ -14,7 +14,10 @@
 (require 'cl-lib)
 
 (setq scene-server-command (list (getenv "SCENEC") "lsp")
-      eglot-sync-connect 30
+      ;; A machine may be busy.
+      eglot-sync-connect 120
+      jrpc-default-request-timeout 120
+      jsonrpc-default-request-timeout 120
       eglot-send-changes-idle-time 0
       ;; What eglot itself reports is not the tests' matter.
       inhibit-message t)
@@ -31,7 +34,7 @@
 
 (defun test-wait (what ask)
   "Wait until ASK says yes; WHAT is what for."
-  (let ((end (+ (float-time) 20)))
+  (let ((end (+ (float-time) 120)))
     (while (not (funcall ask))
       (when (> (float-time) end) (error "Timed out: %s" what))
       (accept-process-output nil 0.02))))
@@ -51,6 +54,24 @@
 (let ((file (expand-file-name "test.scene" (getenv "SCENE_FOLDER"))))
   (copy-file (getenv "SCENE_FILE") file t)
   (find-file file))
+
+(test "the words have colours"
+  ;; This eglot asks no server for colours; they are the mode's own.
+  (font-lock-ensure)
+  (cl-flet ((face (words into)
+              (goto-char (point-min))
+              (search-forward words)
+              (get-text-property (+ (match-beginning 0) into) 'face)))
+    (cl-assert (eq (face "!ball ?= red" 1) 'font-lock-variable-name-face))
+    (cl-assert (eq (face "!ball ?= red" 0) 'font-lock-keyword-face))
+    (cl-assert (eq (face "!ball ?= red" 6) 'font-lock-keyword-face))
+    (cl-assert (eq (face "!ball <=" 6) 'font-lock-keyword-face))
+    (goto-char (point-max))
+    (insert "a := pi / why\n")
+    (font-lock-ensure)
+    (cl-assert (eq (face "a := pi / why" 5) 'font-lock-constant-face))
+    (cl-assert (eq (face "/ why" 2) 'font-lock-comment-face))
+    (delete-region (line-beginning-position) (point-max))))
 
 (test "the mode is scene-mode, and the server greets"
   (cl-assert (eq major-mode 'scene-mode))

@@ -35,14 +35,20 @@ local client
 --- Starts the server for a buffer, or gives the buffer to the one that runs.
 function M.attach(buffer)
   words()
+  local config = {
+    name = "scenec",
+    cmd = M.command,
+    root_dir = vim.fn.getcwd(),
+    init_options = M.settings,
+    settings = { scenec = M.settings },
+  }
+  if vim.lsp.start ~= nil then
+    -- From 0.8 on, Neovim keeps count itself.
+    vim.lsp.start(config, { bufnr = buffer })
+    return
+  end
   if client == nil or vim.lsp.get_client_by_id(client) == nil then
-    client = vim.lsp.start_client({
-      name = "scenec",
-      cmd = M.command,
-      root_dir = vim.fn.getcwd(),
-      init_options = M.settings,
-      settings = { scenec = M.settings },
-    })
+    client = vim.lsp.start_client(config)
   end
   if client ~= nil then
     vim.lsp.buf_attach_client(buffer, client)

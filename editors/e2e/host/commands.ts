@@ -30,8 +30,10 @@ export const tests: Tests = {
     const { document } = await open(BALL);
     const target = vscode.Uri.file(path.join(folder(), "ball.png"));
     void vscode.commands.executeCommand("scenec.render", document.uri, target);
-    await until("the picture", () => existsSync(target.fsPath));
-    const bytes = readFileSync(target.fsPath);
+    const bytes = await until("the whole picture", () => {
+      const found = existsSync(target.fsPath) && readFileSync(target.fsPath);
+      return found && found.subarray(-8, -4).toString() === "IEND" && found;
+    });
     assert.equal(bytes.subarray(0, 8).toString("hex"), PNG);
     assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [120, 80]);
   },

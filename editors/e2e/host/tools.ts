@@ -23,12 +23,15 @@ export async function open(text: string, extension = "scene"): Promise<vscode.Te
   return vscode.window.showTextDocument(uri);
 }
 
-/** Asks until the answer is one, for twenty seconds. */
+/** How long anything may take, in milliseconds: a machine may be busy. */
+const PATIENCE = 120_000;
+
+/** Asks until the answer is one. */
 export async function until<T>(
   what: string,
   ask: () => T | undefined | false | Promise<T | undefined | false>,
 ): Promise<T> {
-  const end = Date.now() + 20_000;
+  const end = Date.now() + PATIENCE;
   for (;;) {
     const found = await ask();
     if (found !== undefined && found !== false) {

@@ -7,6 +7,7 @@ import { Plans } from "./commands/plan.ts";
 import { renderToFile } from "./commands/render.ts";
 import { Previews } from "./preview/previews.ts";
 import { Session } from "./server/session.ts";
+import { snippetsWithoutServer } from "./snippets.ts";
 import { statusItem } from "./status.ts";
 import { Tasks } from "./tasks.ts";
 
@@ -23,6 +24,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     plans.register(),
     tasks.register(),
     rulePages(session),
+    snippetsWithoutServer(session),
     statusItem(session),
   );
   context.subscriptions.push(

@@ -23,6 +23,8 @@ export interface RenderParams {
   /** In place of the file's own camera. */
   camera: Camera | null;
   quality: Quality;
+  /** An edit lets it go on, with the text as it was. */
+  despiteEdits: boolean;
 }
 
 export interface RenderResult {

@@ -61,6 +61,16 @@ test("a burst of edits brings one draft, and each cancels what is under way", as
   assert.deepEqual(notes.slice(2), ["draft", "draft done"]);
 });
 
+test("what is saved is drawn at once and in full", async context => {
+  const { loop: it, notes, wait } = loop(context, 100);
+  it.saved();
+  assert.deepEqual(notes, ["full"]);
+  await wait(50);
+  it.saved();
+  await wait(1000);
+  assert.deepEqual(notes, ["full", "full cancelled", "full", "full done"]);
+});
+
 test("a moving camera sees each draft to its end and skips what it can't keep up with", async context => {
   const { loop: it, notes, wait } = loop(context, 50);
   for (let i = 0; i < 20; i++) {
@@ -87,8 +97,11 @@ test("drafts only, where the settings say so; and nothing after the end", async 
   it.edited();
   await wait(1000);
   assert.deepEqual(notes, ["draft", "draft done"]);
+  it.saved();
+  await wait(1000);
+  assert.deepEqual(notes.slice(2), ["draft", "draft done"]);
   it.edited();
   it.stop();
   await wait(1000);
-  assert.equal(notes.length, 2);
+  assert.equal(notes.length, 4);
 });

@@ -36,6 +36,11 @@ export class DrawLoop {
     this.#later(this.#pace.afterEdit, "draft");
   }
 
+  /** The text was saved, and is shown only then: nothing is to be waited for. */
+  saved(): void {
+    void this.#run(this.#wantsFull() ? "full" : "draft");
+  }
+
   /** The camera moved: a draft under way is finished first, or a steady hand would never see one. */
   moved(): void {
     if (this.#running?.quality === "draft") {

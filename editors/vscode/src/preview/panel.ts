@@ -9,6 +9,7 @@ import type { Camera, Vector } from "../shared/camera.ts";
 import type { Size } from "../shared/fit.ts";
 import type { ToExtension, ToPage } from "../shared/messages.ts";
 import { DrawLoop } from "./loop.ts";
+import { followsTyping, wantsFull } from "./mode.ts";
 import { cursorIn, show } from "./places.ts";
 
 export class Preview implements vscode.Disposable {
@@ -30,8 +31,7 @@ export class Preview implements vscode.Disposable {
     this.uri = uri;
     this.panel = panel;
     this.#session = session;
-    const full = () => vscode.workspace.getConfiguration("scenec").get("quality") !== "draft";
-    this.#loop = new DrawLoop((quality, signal) => this.#draw(quality, signal), full);
+    this.#loop = new DrawLoop((quality, signal) => this.#draw(quality, signal), wantsFull);
     panel.webview.onDidReceiveMessage((message: ToExtension) => this.#hear(message));
     panel.onDidChangeViewState(() => this.#seen());
   }
@@ -39,6 +39,11 @@ export class Preview implements vscode.Disposable {
   /** The text or a setting changed: a new picture is due. */
   changed(): void {
     this.#loop.edited();
+  }
+
+  /** The text was saved, where that is what the preview follows. */
+  saved(): void {
+    this.#loop.saved();
   }
 
   /** The cursor of the file's editor moved. */
@@ -164,7 +169,14 @@ export class Preview implements vscode.Disposable {
     // The server knows the files that are open, so this one has to be.
     await vscode.workspace.openTextDocument(this.uri);
     const id = ++this.#request;
-    const params = { textDocument: this.#document(), id, size: this.#room, camera: this.#camera, quality };
+    const params = {
+      textDocument: this.#document(),
+      id,
+      size: this.#room,
+      camera: this.#camera,
+      quality,
+      despiteEdits: !followsTyping(),
+    };
     const result = await this.#session.request(protocol.render, params, cancel.token);
     if (result === undefined || id !== this.#request || signal.aborted) {
       return false;

@@ -5,6 +5,7 @@ import * as vscode from "vscode";
 import * as protocol from "../protocol.ts";
 import type { Session } from "../server/session.ts";
 import type { PageState } from "../shared/messages.ts";
+import { followsTyping } from "./mode.ts";
 import { fill } from "./page.ts";
 import { Preview } from "./panel.ts";
 
@@ -34,7 +35,7 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
       }),
       vscode.workspace.onDidSaveTextDocument(document => {
         if (!followsTyping()) {
-          this.#of(document.uri)?.changed();
+          this.#of(document.uri)?.saved();
         }
       }),
       vscode.window.onDidChangeTextEditorSelection(
@@ -108,10 +109,6 @@ export class Previews implements vscode.Disposable, vscode.WebviewPanelSerialize
     });
     fill(panel.webview, this.#extension, uri.toString());
   }
-}
-
-function followsTyping(): boolean {
-  return vscode.workspace.getConfiguration("scenec").get("preview.update") !== "onSave";
 }
 
 function title(uri: vscode.Uri): string {

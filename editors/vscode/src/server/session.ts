@@ -29,6 +29,9 @@ export interface SessionState {
   reason?: string;
 }
 
+/** Where the documents lie that the server is told of. */
+const SCHEMES = ["file", "untitled"];
+
 /** A crash that comes back this often within this time is no accident. */
 const CRASHES = { most: 4, within: 3 * 60_000 };
 
@@ -63,6 +66,11 @@ export class Session implements vscode.Disposable {
 
   get state(): SessionState {
     return this.#state;
+  }
+
+  /** Whether the server runs and is told of such a document. */
+  serves(document: vscode.TextDocument): boolean {
+    return this.#state.kind === "running" && SCHEMES.includes(document.uri.scheme);
   }
 
   /** What the server calls itself, once it runs. */
@@ -172,10 +180,7 @@ export class Session implements vscode.Disposable {
 
   #options(): LanguageClientOptions {
     return {
-      documentSelector: [
-        { language: "scene", scheme: "file" },
-        { language: "scene", scheme: "untitled" },
-      ],
+      documentSelector: SCHEMES.map(scheme => ({ language: "scene", scheme })),
       outputChannel: this.#log,
       initializationOptions: vscode.workspace.getConfiguration("scenec"),
       middleware: this.#middleware,
