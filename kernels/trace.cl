@@ -24,16 +24,18 @@ Ray camera_ray(__global const Frame *frame, uint column, uint row, real right, r
     return ray;
 }
 
-/* Traces the window's rows from `first_row` up to, not including, `end_row`; outcomes are counted from there. */
+/* Traces a tile of the window, row by row in `outcomes`: the samples from `first` up to, not including, `end` of its pixels.
+   What the samples before them came to is in `outcomes`; after the last ones the means are. */
 __kernel void trace(__global const Frame *frame, __global const Shape *shapes, __global const Leaf *leaves,
                     __global const Island *islands, __global const Cell *cells, __global const uint *program,
                     __global const uint *members, __global const Node *nodes, __global const Material *materials, __global const Light *lights,
                     __global const Touch *touches, __global const real *samples, __global const real *reach, __global Outcome *outcomes,
-                    uint first_row, uint end_row) {
-    uint column = get_global_id(0);
-    uint row = first_row + get_global_id(1);
-    if (column >= frame->window_width || row >= end_row)
+                    uint tile_column, uint tile_row, uint columns, uint rows, uint first, uint end) {
+    if (get_global_id(0) >= columns || get_global_id(1) >= rows)
         return;
+    __global Outcome *outcome = outcomes + get_global_id(1) * columns + get_global_id(0);
+    uint column = frame->window_x + tile_column + get_global_id(0);
+    uint row = frame->window_y + tile_row + get_global_id(1);
     Scene scene;
     scene.frame = frame;
     scene.shapes = shapes;
@@ -59,11 +61,19 @@ __kernel void trace(__global const Frame *frame, __global const Shape *shapes, _
     Vector sum = vector(0, 0, 0);
     uint solid = NOTHING, primary = 0;
 #if SUPERSAMPLING
-    uint count = frame->samples;
-#else
-    uint count = 1;
+    if (first > 0) {
+        sum = load(outcome->colour);
+        spent.dropped = outcome->dropped;
+        solid = outcome->solid;
+        primary = outcome->primary;
+        spent.shadow = outcome->shadow;
+        spent.reflected = outcome->reflected;
+        spent.refracted = outcome->refracted;
+        spent.over = outcome->over;
+        spent.rays = primary + spent.reflected + spent.refracted;
+    }
 #endif
-    for (uint k = 0; k < count; ++k) {
+    for (uint k = first; k < end; ++k) {
         if (spent.rays >= frame->ray_budget) {
             spent.dropped += reach[frame->raydepth];
             spent.over = true;
@@ -72,18 +82,18 @@ __kernel void trace(__global const Frame *frame, __global const Shape *shapes, _
         spent.rays += 1;
         primary += 1;
         uint hit;
-        Ray ray = camera_ray(frame, frame->window_x + column, frame->window_y + row, samples[2 * k], samples[2 * k + 1]);
+        Ray ray = camera_ray(frame, column, row, samples[2 * k], samples[2 * k + 1]);
         sum = add(sum, walk(&scene, ray, &spent, &hit));
         if (k == 0)
             solid = hit;
     }
 #if SUPERSAMPLING
-    real share = (real)1 / (real)count;
-    if (count > 1)
+    if (end == frame->samples && end > 1) {
+        real share = (real)1 / (real)end;
         sum = scale(sum, share);
-    spent.dropped *= share;
+        spent.dropped *= share;
+    }
 #endif
-    __global Outcome *outcome = outcomes + (row - first_row) * frame->window_width + column;
     outcome->colour[0] = sum.x;
     outcome->colour[1] = sum.y;
     outcome->colour[2] = sum.z;

@@ -4,9 +4,11 @@
 
 use crate::error::{DeviceError, guarded, line};
 use crate::info::{DeviceInfo, describe};
+use crate::known;
 use ocl::core::{self, DeviceId, DeviceType, PlatformId, PlatformInfo};
 use scenec_opencl_loader as loader;
 use std::sync::OnceLock;
+use std::time::Instant;
 
 /// The most devices listed for one platform; the bindings' own limit is neither checked by them nor high.
 const DEVICES_PER_PLATFORM: u32 = 1024;
@@ -47,7 +49,14 @@ impl Discovery {
 /// Some drivers can't bear two threads that initialise them at once, so all callers wait for the first.
 pub fn discover() -> &'static Discovery {
     static FOUND: OnceLock<Discovery> = OnceLock::new();
-    FOUND.get_or_init(walk)
+    FOUND.get_or_init(|| {
+        let begin = Instant::now();
+        let found = walk();
+        if !found.devices.is_empty() {
+            known::remember_asking(&known::cache(), begin.elapsed().as_secs_f64() * 1e9);
+        }
+        found
+    })
 }
 
 fn walk() -> Discovery {

@@ -65,6 +65,11 @@ pub struct DeviceInfo {
 }
 
 impl DeviceInfo {
+    /// What tells this device and its driver from all others, on this machine and in time.
+    pub(crate) fn identity(&self) -> [&[u8]; 4] {
+        [&self.platform, &self.name, &self.version, &self.driver].map(|text| text.as_bytes())
+    }
+
     /// Platform and name together, the text that a user's choice by name is matched with.
     pub fn full_name(&self) -> String {
         format!("{} {}", self.platform, self.name)

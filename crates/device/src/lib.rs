@@ -3,22 +3,29 @@
 //! This crate alone talks to OpenCL. It knows plans and pictures, but no scene and no syntax.
 
 mod assemble;
+mod auto;
 mod buffer;
+mod cache;
 mod calls;
 mod discover;
 mod error;
 mod info;
+mod known;
+mod pace;
 mod program;
 mod select;
 mod session;
 mod tracer;
 
 pub use assemble::{Precision, options, probe, source};
+pub use auto::{Verdict, auto, features, worth_asking};
 pub use buffer::{Arg, Buffer};
+pub use cache::cache_folder;
 pub use calls::Plain;
 pub use discover::{Discovery, discover};
 pub use error::{DeviceError, guarded};
 pub use info::{DeviceInfo, DeviceKind};
+pub use known::remember_gain;
 pub use program::Program;
 pub use select::{gpu, is_opencl, select};
 pub use session::Session;

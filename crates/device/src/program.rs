@@ -1,34 +1,116 @@
-//! Kernels from their source, and what a device's compiler says against them.
+//! Kernels from their source, or from what a device's compiler made of it before, and what it says against them.
 
+use crate::cache::{Cache, Hash};
 use crate::error::{CACHE_HELP, DeviceError, line};
-use ocl::core::{self, Context, DeviceId, ProgramBuildInfo, ProgramBuildInfoResult, ProgramBuildStatus};
+use crate::info::DeviceInfo;
+use ocl::core::{self, Context, DeviceId};
+use ocl::core::{ProgramBuildInfo, ProgramBuildInfoResult, ProgramBuildStatus, ProgramInfo, ProgramInfoResult};
 use std::ffi::CString;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
 /// Kernels that have been built for the device of one session.
 #[derive(Debug)]
 pub struct Program {
     pub(crate) object: core::Program,
+    key: Hash,
+    /// Whether the cache has it.
+    kept: AtomicBool,
+    /// What the compiler took; nothing if it was not asked.
+    compiled: Option<Duration>,
 }
 
-/// Compiles `source` for a device, whose name is for the messages.
+impl Program {
+    /// What the device's compiler took, or nothing if the program was kept from an earlier run.
+    #[must_use]
+    pub fn compiled(&self) -> Option<Duration> {
+        self.compiled
+    }
+
+    /// Puts the program into the cache, if it is not from there: after its first run, since some drivers compile a part
+    /// of it only then.
+    pub(crate) fn keep(&self, cache: &Cache) {
+        if self.kept.swap(true, Ordering::Relaxed) {
+            return;
+        }
+        if let Ok(ProgramInfoResult::Binaries(binaries)) = core::get_program_info(&self.object, ProgramInfo::Binaries)
+            && let [binary] = binaries.as_slice()
+            && !binary.is_empty()
+        {
+            cache.put(self.key, binary);
+        }
+    }
+}
+
+/// What tells a compiled program from all others.
+pub(crate) fn key(info: &DeviceInfo, source: &str, options: &str) -> Hash {
+    let [a, b, c, d] = info.identity();
+    Hash::of(&[source.as_bytes(), options.as_bytes(), a, b, c, d])
+}
+
+/// Takes the program of `source` from the cache, or compiles it for a device.
 pub(crate) fn build(
     context: &Context,
     device: DeviceId,
-    name: &str,
-    source: &str,
-    options: &str,
+    info: &DeviceInfo,
+    (source, options): (&str, &str),
+    cache: &Cache,
 ) -> Result<Program, DeviceError> {
+    let key = key(info, source, options);
     let source = c_string(source, "the kernels")?;
     let options = c_string(options, "the build options")?;
+    if let Some(binary) = cache.get(key) {
+        match load(context, device, &binary, &options) {
+            Some(object) => {
+                return Ok(Program {
+                    object,
+                    key,
+                    kept: true.into(),
+                    compiled: None,
+                });
+            }
+            None => cache.forget(key),
+        }
+    }
+    let begin = Instant::now();
+    let object = compile(context, device, &info.name, source, &options)?;
+    Ok(Program {
+        object,
+        key,
+        kept: false.into(),
+        compiled: Some(begin.elapsed()),
+    })
+}
+
+/// A program that the compiler made before; a driver that won't have it any more gets the source.
+fn load(context: &Context, device: DeviceId, binary: &[u8], options: &CString) -> Option<core::Program> {
+    let object = core::create_program_with_binary(context, &[device], &[binary]).ok()?;
+    core::build_program(&object, Some(&[device]), options, None, None).ok()?;
+    succeeded(&object, device).then_some(object)
+}
+
+fn compile(
+    context: &Context,
+    device: DeviceId,
+    name: &str,
+    source: CString,
+    options: &CString,
+) -> Result<core::Program, DeviceError> {
     let object = core::create_program_with_source(context, &[source])
         .map_err(|error| DeviceError::of_call("create a program", &error))?;
-    let built = core::build_program(&object, Some(&[device]), &options, None, None);
+    let built = core::build_program(&object, Some(&[device]), options, None, None);
     // The bindings take a failure that left no log for a success.
-    let status = core::get_program_build_info(&object, device, ProgramBuildInfo::BuildStatus);
-    match (built, status) {
-        (Ok(()), Ok(ProgramBuildInfoResult::BuildStatus(ProgramBuildStatus::Success))) => Ok(Program { object }),
-        (built, _) => Err(build_error(&log(&object, device), name, &options, built.err().as_ref())),
+    if built.is_ok() && succeeded(&object, device) {
+        return Ok(object);
     }
+    Err(build_error(&log(&object, device), name, options, built.err().as_ref()))
+}
+
+fn succeeded(program: &core::Program, device: DeviceId) -> bool {
+    matches!(
+        core::get_program_build_info(program, device, ProgramBuildInfo::BuildStatus),
+        Ok(ProgramBuildInfoResult::BuildStatus(ProgramBuildStatus::Success))
+    )
 }
 
 fn log(program: &core::Program, device: DeviceId) -> String {

@@ -3,6 +3,7 @@
 //! This knows bytes and kernels by name, and nothing of what they compute.
 
 use crate::buffer::{Arg, Buffer};
+use crate::cache::Cache;
 use crate::calls::{self, Plain};
 use crate::discover::discover;
 use crate::error::{DeviceError, MEMORY_HELP, guarded};
@@ -23,6 +24,7 @@ pub struct Session {
     device: DeviceId,
     queue: CommandQueue,
     context: Context,
+    cache: Cache,
 }
 
 impl Session {
@@ -43,6 +45,7 @@ impl Session {
                 device,
                 queue,
                 context,
+                cache: programs(),
             })
         })
     }
@@ -52,14 +55,14 @@ impl Session {
         &self.info
     }
 
-    /// Compiles kernels. Drivers that cache do so by `source` and `options` together, so values that change from
-    /// scene to scene belong in neither.
+    /// Compiles kernels, or takes them from the cache, where they are found by `source` and `options` together: values
+    /// that change from scene to scene belong in neither.
     ///
     /// # Errors
     ///
     /// The source doesn't compile, or an option is unknown; [`DeviceError::log`] is what the compiler said.
     pub fn build(&self, source: &str, options: &str) -> Result<Program, DeviceError> {
-        guarded(|| program::build(&self.context, self.device, &self.info.name, source, options))
+        guarded(|| program::build(&self.context, self.device, &self.info, (source, options), &self.cache))
     }
 
     /// Copies elements to the device, for kernels to read. Of an empty slice, one element of zeros is copied:
@@ -150,6 +153,7 @@ impl Session {
             ];
             let start = Instant::now();
             let event = calls::launch(&self.queue, &kernel, global, local)?;
+            program.keep(&self.cache);
             // A driver without timings still has a clock beside it.
             Ok(nanoseconds(&event).unwrap_or_else(|| start.elapsed().as_nanos().try_into().unwrap_or(u64::MAX)))
         })
@@ -174,6 +178,11 @@ impl Session {
             _ => self.info.max_work_group,
         }
     }
+}
+
+/// The compiled programs of this user.
+pub(crate) fn programs() -> Cache {
+    Cache::of_user("programs")
 }
 
 /// The device time between the start and the end of a command.

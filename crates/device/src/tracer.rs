@@ -1,4 +1,6 @@
-//! The OpenCL tracer: a plan in the device's memory, and its picture band by band.
+//! The OpenCL tracer: a plan in the device's memory, and its picture tile by tile.
+
+use std::time::Instant;
 
 use scenec_picture::{Exact, Frame, NOTHING, Picture, Request, Stats, TraceError, Tracer};
 use scenec_plan::packed_structs::{self, Outcome};
@@ -9,12 +11,13 @@ use crate::buffer::{Arg, Buffer};
 use crate::calls::Plain;
 use crate::error::DeviceError;
 use crate::info::DeviceInfo;
+use crate::known;
+use crate::pace::{LEAST, Pace, Run};
 use crate::program::Program;
 use crate::session::Session;
 
-/// About how many samples one run of the kernel takes: enough to fill any device, and few enough that progress shows,
-/// that a stop is soon heard, and that no display driver takes the device away from a run that seems to hang.
-const BAND_SAMPLES: u64 = 1 << 18;
+/// The most pixels of one run of the kernel: enough to fill any device.
+const MOST_PIXELS: usize = 1 << 18;
 
 /// Opens a device and prepares to trace a plan on it, with the kernels' parts that `features` name.
 ///
@@ -81,10 +84,18 @@ impl<R: Real + Plain> Scene<R> {
 
 impl<R: Real + Plain> OpenCl<R> {
     fn new(info: &DeviceInfo, plan: &Plan, precision: Precision, features: &Features) -> Result<Self, DeviceError> {
+        let begin = Instant::now();
         let session = Session::open(info)?;
         let packed = plan.packed::<R>();
         let program = session.build(&source(precision, features), &options(info, precision))?;
         let scene = Scene::upload(&session, &packed)?;
+        let compiled = program.compiled().unwrap_or_default();
+        known::remember_start(
+            info,
+            precision,
+            begin.elapsed().saturating_sub(compiled),
+            program.compiled(),
+        );
         Ok(Self {
             session,
             program,
@@ -94,16 +105,15 @@ impl<R: Real + Plain> OpenCl<R> {
         })
     }
 
-    /// Runs the kernel over the rows from `first` up to `end` of the window; returns the device's nanoseconds.
-    fn band(
+    /// Runs the kernel; returns the device's nanoseconds.
+    fn run(
         &self,
         frame: &Buffer<packed_structs::Frame<R>>,
         outcomes: &Buffer<Outcome<R>>,
-        first: u32,
-        end: u32,
+        run: &Run,
     ) -> Result<u64, DeviceError> {
         let scene = &self.scene;
-        let args: [Arg<'_>; 16] = [
+        let args: [Arg<'_>; 20] = [
             frame.into(),
             (&scene.shapes).into(),
             (&scene.leaves).into(),
@@ -118,11 +128,25 @@ impl<R: Real + Plain> OpenCl<R> {
             (&scene.samples).into(),
             (&scene.reach).into(),
             outcomes.into(),
-            first.into(),
-            end.into(),
+            run.column.into(),
+            run.row.into(),
+            run.columns.into(),
+            run.rows.into(),
+            run.samples.start.into(),
+            run.samples.end.into(),
         ];
-        self.session
-            .run(&self.program, "trace", &args, [self.frame.window_width, end - first])
+        self.session.run(&self.program, "trace", &args, [run.columns, run.rows])
+    }
+
+    /// Room for the outcomes of a tile: of so many pixels, or of as many as the device has memory for.
+    fn outcomes(&self, pixels: usize) -> Result<Buffer<Outcome<R>>, DeviceError> {
+        let mut pixels = pixels.clamp(LEAST, MOST_PIXELS);
+        loop {
+            match self.session.zeros(pixels) {
+                Err(_) if pixels > LEAST => pixels = (pixels / 2).max(LEAST),
+                outcomes => return outcomes,
+            }
+        }
     }
 }
 
@@ -143,40 +167,40 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
         let limits = request.limits;
         self.frame.ask(corner, size, limits.cutoff, limits.ray_budget);
 
-        let rows = band_rows(window.width, self.frame.samples);
-        let size = rows.min(window.height) as usize * window.width as usize;
         let frame = self.session.upload(&[self.frame]).map_err(failed)?;
-        let outcomes = self.session.zeros::<Outcome<R>>(size).map_err(failed)?;
-        let mut band = vec![Outcome::<R>::default(); size];
-        let mut stats = Stats {
-            kernel_ns: Some(0),
-            ..Stats::default()
-        };
-        for first in (0..window.height).step_by(rows as usize) {
+        let outcomes = self.outcomes(count).map_err(failed)?;
+        let mut tile = vec![Outcome::<R>::default(); outcomes.len()];
+        let mut stats = Stats::default();
+        let mut kernel_ns = 0;
+        let mut pace = Pace::new(window.width, window.height, self.frame.samples, outcomes.len());
+        while let Some(run) = pace.next() {
             if request.watch.stopped() {
                 return Err(TraceError::Cancelled);
             }
-            let end = first.saturating_add(rows).min(window.height);
-            let at = first as usize * window.width as usize;
-            let done = &mut band[..(end - first) as usize * window.width as usize];
-            let kernel_ns = Some(self.band(&frame, &outcomes, first, end).map_err(failed)?);
-            self.session.read(&outcomes, 0, done).map_err(failed)?;
-            for (i, outcome) in done.iter().enumerate() {
-                picture.pixels_mut()[at + i] = in_singles(outcome.colour);
-                if let Some(ids) = &mut ids {
-                    ids[at + i] = outcome.solid;
-                }
-                if let Some(exact) = &mut exact {
-                    exact[at + i] = in_doubles(outcome.colour);
-                }
-                stats = stats.merge(pixel_stats(outcome));
+            let time = self.run(&frame, &outcomes, &run).map_err(failed)?;
+            pace.took(&run, time);
+            kernel_ns += time;
+            if run.samples.end < self.frame.samples {
+                continue;
             }
-            stats = stats.merge(Stats {
-                kernel_ns,
-                ..Stats::default()
-            });
+            let done = &mut tile[..run.pixels()];
+            self.session.read(&outcomes, 0, done).map_err(failed)?;
+            for (row, outcomes) in (run.row..).zip(done.chunks(run.columns as usize)) {
+                let at = row as usize * window.width as usize + run.column as usize;
+                for (i, outcome) in outcomes.iter().enumerate() {
+                    picture.pixels_mut()[at + i] = in_singles(outcome.colour);
+                    if let Some(ids) = &mut ids {
+                        ids[at + i] = outcome.solid;
+                    }
+                    if let Some(exact) = &mut exact {
+                        exact[at + i] = in_doubles(outcome.colour);
+                    }
+                    stats = stats.merge(pixel_stats(outcome));
+                }
+            }
             request.watch.advance(done.len() as u64);
         }
+        stats.kernel_ns = Some(kernel_ns);
         Ok(Frame {
             picture,
             ids,
@@ -200,32 +224,6 @@ fn pixel_stats<R: Real>(outcome: &Outcome<R>) -> Stats {
     }
 }
 
-/// Rows in one run of the kernel: whole work-groups where a row is short enough for that.
-fn band_rows(width: u32, samples: u32) -> u32 {
-    const GROUP: u64 = 16;
-    let rows = (BAND_SAMPLES / (u64::from(width) * u64::from(samples)).max(1)).max(1);
-    let rows = if rows > GROUP { rows - rows % GROUP } else { rows };
-    u32::try_from(rows).unwrap_or(u32::MAX)
-}
-
 fn failed(error: DeviceError) -> TraceError {
     TraceError::Failed(error.to_string())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::band_rows;
-
-    fn check(width: u32, samples: u32, expect: u32) {
-        assert_eq!(band_rows(width, samples), expect, "{width} wide, {samples} samples");
-    }
-
-    #[test]
-    fn bands_are_whole_groups_until_a_row_is_long() {
-        check(600, 1, 432);
-        check(1280, 1, 192);
-        check(1, 1, 262_144);
-        check(65535, 1, 4);
-        check(65535, 4096, 1);
-    }
 }

@@ -4,13 +4,9 @@ use std::env;
 use std::path::PathBuf;
 use std::time::SystemTime;
 
-/// The user's folder for what can be made again: that of the XDG rules, or what the system has in its place.
+/// The user's folder for references.
 pub(super) fn folder() -> Option<PathBuf> {
-    let of = |name: &str| env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
-    let caches = of("XDG_CACHE_HOME")
-        .or_else(|| of("LOCALAPPDATA"))
-        .or_else(|| of("HOME").map(|home| home.join(".cache")))?;
-    Some(caches.join("scenec").join("references"))
+    Some(scenec_device::cache_folder()?.join("references"))
 }
 
 /// Tells this program from one that was built at another time, whose references may be others.
