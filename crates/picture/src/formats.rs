@@ -41,8 +41,36 @@ struct Row {
     lossless: bool,
     /// The most rows, and the most columns.
     max_side: u32,
-    write: fn(&Picture, &Encoding, &mut dyn Sink) -> Result<(), EncodeError>,
+    write: Way,
     read: fn(&mut dyn Source) -> Result<Picture, LoadError>,
+}
+
+/// Columns and rows of a whole picture.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Size {
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+}
+
+/// Where a band of rows stands.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    /// The picture that it is a part of.
+    pub(crate) whole: Size,
+    /// The band's upper row.
+    pub(crate) first_row: u32,
+}
+
+type Whole = fn(&Picture, &Encoding, &mut dyn Sink) -> Result<(), EncodeError>;
+type Head = fn(Size, &Encoding, &mut dyn Sink) -> Result<(), EncodeError>;
+type Band = fn(&Picture, Place, &Encoding, &mut dyn Sink) -> Result<(), EncodeError>;
+
+/// How a picture is written.
+enum Way {
+    /// All of it at once.
+    Whole(Whole),
+    /// A header, then bands of rows from the top.
+    Bands { head: Head, band: Band },
 }
 
 /// All formats, the usual ones first.
@@ -168,7 +196,41 @@ impl Format {
     }
 
     pub(crate) fn write(self, picture: &Picture, encoding: &Encoding, out: &mut dyn Sink) -> Result<(), EncodeError> {
-        (self.0.write)(picture, encoding, out)
+        match self.0.write {
+            Way::Whole(write) => write(picture, encoding, out),
+            Way::Bands { head, band } => {
+                let (width, height) = (picture.width(), picture.height());
+                let whole = Size { width, height };
+                head(whole, encoding, out)?;
+                band(picture, Place { whole, first_row: 0 }, encoding, out)
+            }
+        }
+    }
+
+    /// Whether a picture can be written band by band, so that memory need not hold all of it.
+    #[must_use]
+    pub fn takes_bands(self) -> bool {
+        matches!(self.0.write, Way::Bands { .. })
+    }
+
+    pub(crate) fn head(self, whole: Size, encoding: &Encoding, out: &mut dyn Sink) -> Result<(), EncodeError> {
+        match self.0.write {
+            Way::Whole(_) => Err(EncodeError::Memory),
+            Way::Bands { head, .. } => head(whole, encoding, out),
+        }
+    }
+
+    pub(crate) fn band(
+        self,
+        picture: &Picture,
+        place: Place,
+        encoding: &Encoding,
+        out: &mut dyn Sink,
+    ) -> Result<(), EncodeError> {
+        match self.0.write {
+            Way::Whole(_) => Err(EncodeError::Memory),
+            Way::Bands { band, .. } => band(picture, place, encoding, out),
+        }
     }
 
     pub(crate) fn read(self, from: &mut dyn Source) -> Result<Picture, LoadError> {

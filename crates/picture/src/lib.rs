@@ -2,6 +2,7 @@
 //!
 //! It must not know scenes, plans or devices: a picture is numbers in rows.
 
+mod bands;
 mod compare;
 mod encode;
 mod encode_error;
@@ -15,6 +16,7 @@ mod picture;
 mod save;
 mod trace;
 
+pub use bands::Bands;
 pub use compare::{Figures, SizesDiffer, compare, compare_exact};
 pub use encode::{Encoding, encode};
 pub use encode_error::EncodeError;

@@ -7,5 +7,6 @@ pub(crate) mod devices;
 pub(crate) mod explain;
 pub(crate) mod fmt;
 pub(crate) mod lsp;
+pub(crate) mod plan;
 pub(crate) mod preview_worker;
 pub(crate) mod render;

@@ -8,6 +8,7 @@ mod failure;
 mod files;
 mod finding;
 mod fix;
+mod forecast;
 mod input;
 mod interrupt;
 mod jobs;
@@ -38,6 +39,7 @@ enum Command {
     Check(commands::check::Check),
     Fmt(commands::fmt::Fmt),
     Render(Box<commands::render::Render>),
+    Plan(Box<commands::plan::PlanOptions>),
     Bench(commands::bench::BenchOptions),
     Compare(commands::compare::Compare),
     Devices(commands::devices::Devices),
@@ -52,6 +54,7 @@ fn main() -> ExitCode {
         Command::Check(check) => check.run(),
         Command::Fmt(fmt) => fmt.run(),
         Command::Render(render) => render.run(),
+        Command::Plan(plan) => plan.run(),
         Command::Bench(bench) => bench.run(),
         Command::Compare(compare) => compare.run(),
         Command::Devices(devices) => devices.run(),

@@ -6,13 +6,13 @@ use std::path::Path;
 use scenec_interpret::analyse;
 use scenec_lint::check;
 use scenec_scene::Scene;
-use scenec_text::Severity;
+use scenec_text::{Severity, SourceFile};
 
 use crate::failure::Failure;
 use crate::input;
 use crate::report::{self, Style, Tally};
 
-/// The scene in a file, or on standard input where the path is `-`, after its findings have been shown: all of them, or
+/// A file, or standard input where the path is `-`, and the scene in it, after its findings have been shown: all of them, or
 /// the errors alone if `quiet`. `lap` hears when a stage has ended.
 ///
 /// # Errors
@@ -22,7 +22,7 @@ pub(crate) fn open(
     quiet: bool,
     style: &Style,
     mut lap: impl FnMut(&'static str),
-) -> Result<Scene, Failure> {
+) -> Result<(SourceFile, Scene), Failure> {
     let (source, mut diagnostics) = input::read(path).map_err(Failure::Unusable)?;
     lap("read");
     // The rules find no errors, and of errors alone is to be told.
@@ -50,5 +50,5 @@ pub(crate) fn open(
             .and_then(|()| out.flush())
             .unwrap_or_default();
     }
-    interpretation.scene.ok_or(Failure::Errors)
+    interpretation.scene.map(|scene| (source, scene)).ok_or(Failure::Errors)
 }

@@ -3,7 +3,7 @@
 use image::codecs::openexr::OpenExrEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat};
 
-use super::{Depth, Row, Sink};
+use super::{Depth, Row, Sink, Way};
 use crate::levels::bytes32;
 use crate::load::decode;
 use crate::{EncodeError, Encoding, Picture};
@@ -14,7 +14,7 @@ pub(super) const ROW: Row = Row {
     depths: &[Depth::Float],
     lossless: true,
     max_side: i32::MAX as u32,
-    write,
+    write: Way::Whole(write),
     read: |from| decode(from, ImageFormat::OpenExr),
 };
 

@@ -2,7 +2,7 @@
 
 use image::ImageFormat;
 
-use super::{Depth, Row, Sink};
+use super::{Depth, Place, Row, Sink, Size, Way};
 use crate::load::decode;
 use crate::{EncodeError, Encoding, Picture};
 
@@ -12,19 +12,19 @@ pub(super) const ROW: Row = Row {
     depths: &[Depth::Float],
     lossless: false,
     max_side: i32::MAX as u32,
-    write,
+    write: Way::Bands { head, band },
     read: |from| decode(from, ImageFormat::Hdr),
 };
 
+fn head(whole: Size, _: &Encoding, out: &mut dyn Sink) -> Result<(), EncodeError> {
+    let Size { width, height } = whole;
+    write!(out, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {height} +X {width}\n")?;
+    Ok(())
+}
+
 /// Scan lines are written plain, which every reader takes: the largest mantissa is 128 or more, so that no pixel looks
 /// like the mark of a compressed line.
-fn write(picture: &Picture, _: &Encoding, out: &mut dyn Sink) -> Result<(), EncodeError> {
-    write!(
-        out,
-        "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n",
-        picture.height(),
-        picture.width()
-    )?;
+fn band(picture: &Picture, _: Place, _: &Encoding, out: &mut dyn Sink) -> Result<(), EncodeError> {
     let mut line = Vec::new();
     for row in 0..picture.height() {
         line.clear();

@@ -1,6 +1,8 @@
 //! PFM, the portable float map: a text header, then 32-bit floats, rows from the bottom.
 
-use super::{Depth, Row, Sink, Source, write_floats};
+use std::io::SeekFrom;
+
+use super::{Depth, Place, Row, Sink, Size, Source, Way, write_floats};
 use crate::{EncodeError, Encoding, LoadError, Picture};
 
 pub(super) const ROW: Row = Row {
@@ -9,13 +11,27 @@ pub(super) const ROW: Row = Row {
     depths: &[Depth::Float],
     lossless: true,
     max_side: u32::MAX,
-    write,
+    write: Way::Bands { head, band },
     read,
 };
 
-fn write(picture: &Picture, _: &Encoding, out: &mut dyn Sink) -> Result<(), EncodeError> {
-    // A negative scale says that the lower byte comes first.
-    write!(out, "PF\n{} {}\n-1.0\n", picture.width(), picture.height())?;
+fn head(whole: Size, _: &Encoding, out: &mut dyn Sink) -> Result<(), EncodeError> {
+    out.write_all(words(whole).as_bytes())?;
+    Ok(())
+}
+
+/// The header. A negative scale says that the lower byte comes first.
+fn words(whole: Size) -> String {
+    format!("PF\n{} {}\n-1.0\n", whole.width, whole.height)
+}
+
+/// The first rows of a picture are the last of the file.
+fn band(picture: &Picture, place: Place, _: &Encoding, out: &mut dyn Sink) -> Result<(), EncodeError> {
+    let below = place.whole.height - place.first_row - picture.height();
+    let start = words(place.whole).len() as u64 + u64::from(below) * u64::from(place.whole.width) * 12;
+    if start != out.stream_position()? {
+        out.seek(SeekFrom::Start(start))?;
+    }
     write_floats(picture, (0..picture.height()).rev(), out)
 }
 

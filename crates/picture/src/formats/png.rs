@@ -3,7 +3,7 @@
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat};
 
-use super::{Depth, Row, Sink};
+use super::{Depth, Row, Sink, Way};
 use crate::levels::{bytes8, bytes16};
 use crate::load::decode;
 use crate::{EncodeError, Encoding, Picture};
@@ -14,7 +14,7 @@ pub(super) const ROW: Row = Row {
     depths: &[Depth::Eight, Depth::Sixteen],
     lossless: true,
     max_side: i32::MAX as u32,
-    write,
+    write: Way::Whole(write),
     read: |from| decode(from, ImageFormat::Png),
 };
 

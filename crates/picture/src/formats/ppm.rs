@@ -2,7 +2,7 @@
 
 use image::ImageFormat;
 
-use super::{Depth, Row, Sink};
+use super::{Depth, Place, Row, Sink, Size, Way};
 use crate::levels::level;
 use crate::load::decode;
 use crate::{EncodeError, Encoding, Picture};
@@ -13,16 +13,25 @@ pub(super) const ROW: Row = Row {
     depths: &[Depth::Eight, Depth::Sixteen],
     lossless: true,
     max_side: u32::MAX,
-    write,
+    write: Way::Bands { head, band },
     read: |from| decode(from, ImageFormat::Pnm),
 };
 
-fn write(picture: &Picture, encoding: &Encoding, out: &mut dyn Sink) -> Result<(), EncodeError> {
-    let top = match encoding.depth() {
+/// The level of a component of 1.
+fn top(encoding: &Encoding) -> u16 {
+    match encoding.depth() {
         Depth::Sixteen => u16::MAX,
         Depth::Eight | Depth::Float => 255,
-    };
-    write!(out, "P6\n{} {}\n{top}\n", picture.width(), picture.height())?;
+    }
+}
+
+fn head(whole: Size, encoding: &Encoding, out: &mut dyn Sink) -> Result<(), EncodeError> {
+    write!(out, "P6\n{} {}\n{}\n", whole.width, whole.height, top(encoding))?;
+    Ok(())
+}
+
+fn band(picture: &Picture, _: Place, encoding: &Encoding, out: &mut dyn Sink) -> Result<(), EncodeError> {
+    let top = top(encoding);
     let mut line = Vec::new();
     for row in 0..picture.height() {
         line.clear();

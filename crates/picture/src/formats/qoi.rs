@@ -3,7 +3,7 @@
 use image::codecs::qoi::QoiEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat};
 
-use super::{Depth, Row, Sink};
+use super::{Depth, Row, Sink, Way};
 use crate::levels::bytes8;
 use crate::load::decode;
 use crate::{EncodeError, Encoding, Picture};
@@ -14,7 +14,7 @@ pub(super) const ROW: Row = Row {
     depths: &[Depth::Eight],
     lossless: true,
     max_side: u32::MAX,
-    write,
+    write: Way::Whole(write),
     read: |from| decode(from, ImageFormat::Qoi),
 };
 

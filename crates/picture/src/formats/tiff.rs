@@ -3,7 +3,7 @@
 use image::codecs::tiff::TiffEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat};
 
-use super::{Depth, Row, Sink};
+use super::{Depth, Row, Sink, Way};
 use crate::levels::{bytes8, bytes16, bytes32};
 use crate::load::decode;
 use crate::{EncodeError, Encoding, Picture};
@@ -14,7 +14,7 @@ pub(super) const ROW: Row = Row {
     depths: &[Depth::Eight, Depth::Sixteen, Depth::Float],
     lossless: true,
     max_side: u32::MAX,
-    write,
+    write: Way::Whole(write),
     read: |from| decode(from, ImageFormat::Tiff),
 };
 

@@ -3,7 +3,7 @@
 use image::codecs::webp::WebPEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageFormat};
 
-use super::{Depth, Row, Sink};
+use super::{Depth, Row, Sink, Way};
 use crate::levels::bytes8;
 use crate::load::decode;
 use crate::{EncodeError, Encoding, Picture};
@@ -14,7 +14,7 @@ pub(super) const ROW: Row = Row {
     depths: &[Depth::Eight],
     lossless: true,
     max_side: 16_383,
-    write,
+    write: Way::Whole(write),
     read: |from| decode(from, ImageFormat::WebP),
 };
 

@@ -118,7 +118,7 @@ impl BenchOptions {
                     "a bench needs files: it renders them again and again",
                 ));
             }
-            scenes.push((path, self.sized(scenes::open(path, true, &self.style, |_| ())?)));
+            scenes.push((path, self.sized(scenes::open(path, true, &self.style, |_| ())?.1)));
         }
         let mut reports = Vec::new();
         for (path, scene) in scenes {

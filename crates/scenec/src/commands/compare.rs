@@ -154,7 +154,7 @@ impl Compare {
         if Format::from_path(path).is_some() {
             return load(path).map_err(|error| Failure::Unusable(format!("cannot read {}: {error}", path.display())));
         }
-        let scene = scenes::open(path, true, &self.style, |_| ())?;
+        let (_, scene) = scenes::open(path, true, &self.style, |_| ())?;
         let plan = plan(&scene).map_err(|error| Failure::Unusable(format!("the scene can't be traced: {error}")))?;
         let window = Window::whole(scene.settings.width, scene.settings.height);
         let watch = interrupt::watch();

@@ -55,7 +55,9 @@ fn listing(found: &Discovery, threads: usize) -> String {
     for note in &found.notes {
         text.push_str(&format!("note: {note}\n"));
     }
-    let best = gpu(found).map_or("cpu".to_owned(), request);
+    let best = gpu(found).map_or("cpu".to_owned(), |info| {
+        format!("{} for long work, cpu otherwise", request(info))
+    });
     text.push_str(&format!("--device auto takes {best}\n"));
     text
 }

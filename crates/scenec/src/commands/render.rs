@@ -1,16 +1,17 @@
 //! `scenec render`
 
-mod account;
+pub(crate) mod account;
+pub(crate) mod choice;
 mod clock;
 mod machine;
 mod target;
-mod view;
+pub(crate) mod view;
 
 use std::io;
 use std::path::PathBuf;
 
 use clap::Args;
-use scenec_picture::{Layers, Request};
+use scenec_picture::{Layers, Request, Window};
 use scenec_scene::Scene;
 
 use crate::exit::Exit;
@@ -19,6 +20,7 @@ use crate::{interrupt, report, scenes};
 use account::{account, grouped};
 use clock::Clock;
 use machine::{Attempt, Traced};
+use target::Deliver;
 
 /// Trace a scene file into a picture
 ///
@@ -35,7 +37,7 @@ pub(crate) struct Render {
     #[command(flatten)]
     view: view::ViewOptions,
     #[command(flatten)]
-    machine: machine::MachineOptions,
+    machine: choice::MachineOptions,
     #[command(flatten)]
     talk: TalkOptions,
 }
@@ -80,7 +82,7 @@ impl Render {
     fn render(&self) -> Result<(), Failure> {
         let mut clock = Clock::start();
         let target = self.target.target(&self.file)?;
-        let scene = scenes::open(&self.file, self.talk.voice.quiet, &self.talk.voice.style, |stage| {
+        let (_, scene) = scenes::open(&self.file, self.talk.voice.quiet, &self.talk.voice.style, |stage| {
             clock.lap(stage)
         })?;
         let scene = self.view.scene(scene);
@@ -88,26 +90,46 @@ impl Render {
         target.check(&window)?;
 
         let watch = interrupt::watch();
-        let traced = Attempt {
+        let bands = target.wants_bands(&window)?;
+        let traced = if bands {
+            let trace = |deliver: Deliver<'_>| self.trace(&scene, window, &mut clock, Some(deliver));
+            target.stream(&window, watch, trace)?
+        } else {
+            self.trace(&scene, window, &mut clock, None)?
+        };
+        if !self.talk.voice.quiet {
+            self.doubts(&traced);
+        }
+        if !bands {
+            target.write(&traced.frame.picture, watch)?;
+        }
+        clock.lap("encode");
+        self.conclude(&scene, &traced, &window, &target.name(), &clock);
+        Ok(())
+    }
+
+    fn trace<'a>(
+        &'a self,
+        scene: &Scene,
+        window: Window,
+        clock: &'a mut Clock,
+        deliver: Option<Deliver<'a>>,
+    ) -> Result<Traced, Failure> {
+        Attempt {
             options: &self.machine,
             request: Request {
                 window,
                 limits: self.view.limits(),
                 layers: Layers::default(),
-                watch,
+                watch: interrupt::watch(),
             },
-            clock: &mut clock,
+            clock,
+            deliver,
+            delivered: machine::Delivered::default(),
             progress: !self.talk.voice.quiet,
             warn: if self.talk.voice.quiet { |_| () } else { warn },
         }
-        .trace(&scene)?;
-        if !self.talk.voice.quiet {
-            self.doubts(&traced);
-        }
-        target.write(&traced.frame.picture, watch)?;
-        clock.lap("encode");
-        self.conclude(&scene, &traced, &target.name(), &clock);
-        Ok(())
+        .trace(scene)
     }
 
     /// Says what may be wrong with a picture.
@@ -122,23 +144,21 @@ impl Render {
                 stats.dropped
             ));
         }
-        let strange = traced.frame.picture.non_finite() as u64;
-        if strange > 0 {
-            warn(&format!("{} came out as no finite number", pixels(strange)));
+        if traced.strange > 0 {
+            warn(&format!("{} came out as no finite number", pixels(traced.strange)));
         }
     }
 
-    fn conclude(&self, scene: &Scene, traced: &Traced, target: &str, clock: &Clock) {
+    fn conclude(&self, scene: &Scene, traced: &Traced, window: &Window, target: &str, clock: &Clock) {
         let out = &mut io::stderr().lock();
         if self.talk.stats {
-            report::remark(out, account(scene, traced, clock).trim_end()).unwrap_or_default();
+            report::remark(out, account(scene, traced, window, clock).trim_end()).unwrap_or_default();
         }
         if !self.talk.voice.quiet {
-            let picture = &traced.frame.picture;
             let line = format!(
                 "wrote {target}: {} x {}, {}, {:.0} ms",
-                picture.width(),
-                picture.height(),
+                window.width,
+                window.height,
                 traced.name,
                 clock.total().as_secs_f64() * 1e3
             );

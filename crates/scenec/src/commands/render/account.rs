@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::time::Duration;
 
-use scenec_picture::Stats;
+use scenec_picture::{Stats, Window};
 use scenec_plan::{Features, Plan};
 use scenec_scene::{Scene, SolidKind};
 
@@ -11,9 +11,9 @@ use super::clock::Clock;
 use super::machine::Traced;
 
 /// The account of a render, some lines of text.
-pub(super) fn account(scene: &Scene, traced: &Traced, clock: &Clock) -> String {
+pub(super) fn account(scene: &Scene, traced: &Traced, window: &Window, clock: &Clock) -> String {
     let mut rows = vec![
-        ("size", size(scene, traced)),
+        ("size", size(scene, window)),
         ("device", traced.name.clone()),
         ("kept", kept(scene, traced.plan.as_ref())),
         ("rays", rays(&traced.frame.stats)),
@@ -23,6 +23,11 @@ pub(super) fn account(scene: &Scene, traced: &Traced, clock: &Clock) -> String {
         rows.push(("features", self::features(features)));
     }
     rows.push(("time", times(traced.frame.stats.kernel_ns, clock)));
+    table(&rows)
+}
+
+/// Rows of a word and what is to be said under it.
+pub(crate) fn table(rows: &[(&str, String)]) -> String {
     let mut text = String::new();
     for (name, words) in rows {
         // Writing to a string can't fail.
@@ -31,24 +36,22 @@ pub(super) fn account(scene: &Scene, traced: &Traced, clock: &Clock) -> String {
     text
 }
 
-fn size(scene: &Scene, traced: &Traced) -> String {
-    let (settings, picture) = (&scene.settings, &traced.frame.picture);
+fn size(scene: &Scene, window: &Window) -> String {
+    let settings = &scene.settings;
     let whole = (settings.width, settings.height);
-    let part = if whole == (picture.width(), picture.height()) {
+    let part = if whole == (window.width, window.height) {
         String::new()
     } else {
         format!(" of {} x {}", whole.0, whole.1)
     };
     format!(
         "{} x {}{part}, samples {}, raydepth {}",
-        picture.width(),
-        picture.height(),
-        settings.samples,
-        settings.raydepth
+        window.width, window.height, settings.samples, settings.raydepth
     )
 }
 
-fn kept(scene: &Scene, plan: Option<&Plan>) -> String {
+/// How much of a scene is traced.
+pub(crate) fn kept(scene: &Scene, plan: Option<&Plan>) -> String {
     let leaves = scene
         .solids
         .iter()
@@ -66,7 +69,8 @@ fn kept(scene: &Scene, plan: Option<&Plan>) -> String {
     }
 }
 
-fn rays(stats: &Stats) -> String {
+/// How many rays of which kind.
+pub(crate) fn rays(stats: &Stats) -> String {
     format!(
         "{} in all: {} from the eye, {} to lights, {} reflected, {} refracted",
         grouped(stats.rays()),
@@ -113,7 +117,7 @@ fn milliseconds(time: Duration) -> String {
 }
 
 /// A number with its thousands apart.
-pub(super) fn grouped(number: u64) -> String {
+pub(crate) fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::with_capacity(digits.len() * 2);
     for (place, digit) in digits.chars().enumerate() {

@@ -1,78 +1,27 @@
-//! What computes: the tracer that was asked for, or the one that serves best.
+//! The tracer at work: the one that was asked for, or the one that serves best, and another where that one fails.
 
-use clap::Args;
+use std::thread;
+
 use scenec_cpu::Cpu;
-use scenec_device::{DeviceInfo, Precision, discover, is_opencl, select};
-use scenec_picture::{Frame, Request, TraceError, Tracer};
-use scenec_plan::{Features, Plan, plan};
+use scenec_device::{DeviceInfo, Precision, remember_gain, worth_asking};
+use scenec_picture::{Frame, Request, Stats, Tracer, Window};
+use scenec_plan::{Features, Plan, Real, plan};
 use scenec_reference::Reference;
 use scenec_scene::Scene;
 
+use super::choice::MachineOptions;
 use super::clock::Clock;
+use super::target::Deliver;
 use crate::failure::Failure;
+use crate::forecast::{forecast, most};
 use crate::progress;
-use crate::values::named;
-
-const PRECISIONS: &[(Option<Precision>, &str)] = &[
-    (None, "auto"),
-    (Some(Precision::F32), "f32"),
-    (Some(Precision::F64), "f64"),
-];
-
-/// What was asked for; `None` for `auto`. Under this name an argument of the parser's own type, not one that may be missing.
-type Asked = Option<Precision>;
-
-/// Arguments about what computes.
-#[derive(Args, Debug)]
-#[command(next_help_heading = "Device")]
-pub(super) struct MachineOptions {
-    /// What computes: `auto`, `cpu`, `reference`, `opencl`, `opencl:INDEX` or `opencl:NAME`
-    ///
-    /// `auto` takes the first OpenCL GPU, and the built-in tracer on this processor where there is none or it fails.
-    /// `cpu` is the built-in tracer. `reference` is the slow tracer that the others are judged by. `opencl` takes the
-    /// first GPU, accelerator or processor that has an OpenCL driver, `opencl:INDEX` and `opencl:NAME` the one that
-    /// `scenec devices` lists under that number or with that text in its name.
-    #[arg(long, value_name = "DEVICE", default_value = "auto", value_parser = Choice::parse)]
-    device: Choice,
-    /// The numbers to compute with: `auto`, `f32` or `f64`; the reference tracer always takes f64
-    ///
-    /// `auto` takes f32 unless the scene shows before it is traced that f32 can't tell it: an eye too far away for its
-    /// field of view, surfaces that almost coincide, sizes that span too much.
-    #[arg(long, value_name = "TYPE", default_value = "auto", value_parser = named(PRECISIONS))]
-    precision: Asked,
-    /// Threads of the built-in tracers; as many as the machine has unless given
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
-    /// Use OpenCL kernels that serve any scene, not only this one
-    #[arg(long, hide = true)]
-    generic: bool,
-}
-
-/// What computes.
-#[derive(Clone, PartialEq, Eq, Debug)]
-enum Choice {
-    Auto,
-    Cpu,
-    Reference,
-    /// A request that the device crate understands.
-    OpenCl(String),
-}
-
-impl Choice {
-    fn parse(text: &str) -> Result<Self, String> {
-        match text {
-            "auto" => Ok(Self::Auto),
-            "cpu" => Ok(Self::Cpu),
-            "reference" => Ok(Self::Reference),
-            _ if is_opencl(text) => Ok(Self::OpenCl(text.to_owned())),
-            _ => Err("a device is auto, cpu, reference, opencl, opencl:INDEX or opencl:NAME".to_owned()),
-        }
-    }
-}
 
 /// What came of it.
 pub(super) struct Traced {
+    /// Of a picture that was handed out in bands, the last one and the figures of all.
     pub(super) frame: Frame,
+    /// Pixels that are no finite numbers.
+    pub(super) strange: u64,
     /// What computed, for people.
     pub(super) name: String,
     /// Unless it was the reference tracer, which goes without.
@@ -86,89 +35,93 @@ pub(super) struct Attempt<'a> {
     pub(super) options: &'a MachineOptions,
     pub(super) request: Request<'a>,
     pub(super) clock: &'a mut Clock,
+    /// Takes the picture band by band, where it is too large to be held.
+    pub(super) deliver: Option<Deliver<'a>>,
     /// Whether progress is to be shown.
     pub(super) progress: bool,
     /// Told what a person should know about how the picture comes about.
     pub(super) warn: fn(&str),
+    /// What is done: a tracer that takes over from another goes on from there.
+    pub(super) delivered: Delivered,
 }
+
+/// The bands that were handed out.
+#[derive(Default)]
+pub(super) struct Delivered {
+    rows: u32,
+    strange: u64,
+    stats: Stats,
+}
+
+/// About the pixels of a band.
+const BAND: u32 = 1 << 22;
 
 impl Attempt<'_> {
     /// Traces the scene.
     pub(super) fn trace(&mut self, scene: &Scene) -> Result<Traced, Failure> {
-        let choice = &self.options.device;
-        if *choice == Choice::Reference {
+        if self.options.wants_reference() {
             let mut tracer = Reference::new(scene);
-            if let Some(threads) = self.options.threads {
-                tracer = tracer.with_threads(threads.into());
+            if self.options.threads() > 0 {
+                tracer = tracer.with_threads(self.options.threads());
             }
             return self.finish(&mut tracer, None, None);
         }
         let plan = plan(scene).map_err(|error| Failure::Unusable(format!("the scene can't be traced: {error}")))?;
-        let precision = self.precision(&plan);
+        let precision = self.options.precision(&plan, self.warn);
         self.clock.lap("plan");
-        match choice {
-            Choice::OpenCl(request) => {
-                let info = select(request, discover())?;
-                let precision = self.on_device(info, precision);
-                self.opencl(info, plan, precision)
-            }
-            Choice::Auto => match best(precision) {
-                Some(info) => match self.opencl(info, plan.clone(), precision) {
-                    Err(Failure::Device(reason)) if !self.request.watch.stopped() => {
-                        // A compiler's log has many more lines.
-                        let reason = reason.lines().next().unwrap_or_default();
-                        (self.warn)(&format!("{} failed, so the cpu takes over: {reason}", info.name));
-                        self.cpu(plan, precision)
-                    }
-                    outcome => outcome,
-                },
-                None => self.cpu(plan, precision),
-            },
-            Choice::Cpu | Choice::Reference => self.cpu(plan, precision),
-        }
-    }
-
-    /// The precision that was asked for, or the one that the plan asks for.
-    fn precision(&self, plan: &Plan) -> Precision {
-        match (self.options.precision, plan.beyond_single()) {
-            (None, Some(reason)) => {
-                (self.warn)(&format!("f64 is taken, since {reason}"));
-                Precision::F64
-            }
-            (Some(Precision::F32), Some(reason)) => {
-                (self.warn)(&format!("{reason}; --precision f64 can tell it"));
-                Precision::F32
-            }
-            (asked, _) => asked.unwrap_or(Precision::F32),
-        }
-    }
-
-    /// The same on a device that somebody insists on, which may not have doubles.
-    fn on_device(&self, info: &DeviceInfo, precision: Precision) -> Precision {
-        if precision == Precision::F64 && self.options.precision.is_none() && !info.has_f64 {
-            (self.warn)(&format!("{} has no f64, so f32 has to do", info.name));
-            return Precision::F32;
-        }
-        precision
-    }
-
-    fn cpu(&mut self, plan: Plan, precision: Precision) -> Result<Traced, Failure> {
-        let threads = self.options.threads.unwrap_or(0).into();
         match precision {
-            Precision::F32 => self.finish(&mut Cpu::<f32>::new(&plan, threads)?, Some(plan), None),
-            Precision::F64 => self.finish(&mut Cpu::<f64>::new(&plan, threads)?, Some(plan), None),
+            Precision::F32 => self.planned::<f32>(plan, precision),
+            Precision::F64 => self.planned::<f64>(plan, precision),
         }
     }
 
-    fn opencl(&mut self, info: &DeviceInfo, plan: Plan, precision: Precision) -> Result<Traced, Failure> {
-        let features = if self.options.generic {
-            Features::generic(&plan)
-        } else {
-            Features::of(&plan)
+    fn planned<R: Real>(&mut self, plan: Plan, precision: Precision) -> Result<Traced, Failure> {
+        let threads = self.options.threads();
+        let mut prepared = None;
+        let nanoseconds = match most(&plan, &self.request, workers(threads)) {
+            _ if !self.options.wants_forecast() => 0.0,
+            Some(most) if !worth_asking(most) => most,
+            _ => {
+                let cpu = prepared.insert(Cpu::<R>::new(&plan, threads)?);
+                forecast(cpu, &plan, &self.request)?.nanoseconds
+            }
         };
+        self.clock.lap("prepare");
+        if let Some(info) = self.options.choose(&plan, precision, nanoseconds)?.device {
+            let precision = self.options.precision_on(info, precision, self.warn);
+            match self.opencl(info, plan.clone(), precision, nanoseconds) {
+                Err(Failure::Device(reason)) if self.options.may_change() && !self.request.watch.stopped() => {
+                    // A compiler's log has many more lines.
+                    let reason = reason.lines().next().unwrap_or_default();
+                    (self.warn)(&format!("{} failed, so the cpu takes over: {reason}", info.name));
+                }
+                outcome => return outcome,
+            }
+        }
+        let mut cpu = match prepared {
+            Some(cpu) => cpu,
+            None => Cpu::<R>::new(&plan, threads)?,
+        };
+        self.finish(&mut cpu, Some(plan), None)
+    }
+
+    fn opencl(
+        &mut self,
+        info: &DeviceInfo,
+        plan: Plan,
+        precision: Precision,
+        nanoseconds: f64,
+    ) -> Result<Traced, Failure> {
+        let features = self.options.features_on(info, &plan, precision, nanoseconds);
         let mut tracer = scenec_device::tracer(info, &plan, precision, &features)?;
         let outcome = self.finish(tracer.as_mut(), Some(plan), Some(features));
         drop(tracer);
+        if let Ok(traced) = &outcome
+            && let Some(kernel) = traced.frame.stats.kernel_ns
+            && nanoseconds > 0.0
+        {
+            remember_gain(info, precision, kernel as f64, nanoseconds);
+        }
         self.clock.lap("release");
         outcome
     }
@@ -180,45 +133,55 @@ impl Attempt<'_> {
         features: Option<Features>,
     ) -> Result<Traced, Failure> {
         self.clock.lap("prepare");
-        let request = &self.request;
-        let outcome = if request.watch.stopped() {
-            Err(TraceError::Cancelled)
-        } else {
-            progress::shown(request.watch, request.window.pixels(), self.progress, || {
-                tracer.trace(request)
-            })
-        };
+        let (watch, pixels, shown) = (self.request.watch, self.request.window.pixels(), self.progress);
+        let traced = progress::shown(watch, pixels, shown, || self.bands(tracer));
         self.clock.lap("trace");
+        let (frame, strange) = traced?;
         Ok(Traced {
-            frame: outcome?,
+            frame,
+            strange,
             name: tracer.name(),
             plan,
             features,
         })
     }
-}
 
-/// The GPU that `auto` takes, if one can do what is asked.
-fn best(precision: Precision) -> Option<&'static DeviceInfo> {
-    scenec_device::gpu(discover()).filter(|info| precision == Precision::F32 || info.has_f64)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Choice;
-
-    fn check(text: &str, expect: Option<Choice>) {
-        assert_eq!(Choice::parse(text).ok(), expect, "{text}");
+    /// Traces the bands that are left, or the one that is the whole picture.
+    fn bands(&mut self, tracer: &mut dyn Tracer) -> Result<(Frame, u64), Failure> {
+        let whole = self.request.window;
+        let rows = match self.deliver {
+            Some(_) => (BAND / whole.width).max(1),
+            None => whole.height,
+        };
+        loop {
+            if self.request.watch.stopped() {
+                return Err(Failure::Interrupted);
+            }
+            let window = Window {
+                y: whole.y + self.delivered.rows,
+                height: rows.min(whole.height - self.delivered.rows),
+                ..whole
+            };
+            let mut frame = tracer.trace(&Request { window, ..self.request })?;
+            if let Some(deliver) = &mut self.deliver {
+                deliver(&frame.picture)?;
+            }
+            let delivered = &mut self.delivered;
+            delivered.rows += window.height;
+            delivered.strange += frame.picture.non_finite() as u64;
+            delivered.stats = delivered.stats.merge(frame.stats);
+            if delivered.rows >= whole.height {
+                frame.stats = delivered.stats;
+                return Ok((frame, delivered.strange));
+            }
+        }
     }
+}
 
-    #[test]
-    fn devices_are_chosen_by_word() {
-        check("auto", Some(Choice::Auto));
-        check("cpu", Some(Choice::Cpu));
-        check("reference", Some(Choice::Reference));
-        check("opencl:rtx 3060", Some(Choice::OpenCl("opencl:rtx 3060".to_owned())));
-        check("gpu", None);
-        check("openclx", None);
-        check("", None);
+/// How many threads a built-in tracer has that is asked for so many.
+fn workers(threads: usize) -> usize {
+    match threads {
+        0 => thread::available_parallelism().map_or(1, usize::from),
+        _ => threads,
     }
 }

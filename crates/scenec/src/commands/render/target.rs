@@ -6,7 +6,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use scenec_picture::{Depth, EncodeError, Encoding, Format, Picture, Transfer, Watch, Window, encode, write_whole};
+use scenec_picture::{
+    Bands, Depth, EncodeError, Encoding, Format, MAX_PIXELS, Picture, TooManyPixels, Transfer, Watch, Window, encode,
+    write_whole,
+};
 
 use crate::failure::Failure;
 use crate::interrupt::{Stoppable, while_writing};
@@ -48,6 +51,9 @@ pub(super) struct Target {
     place: Place,
     encoding: Encoding,
 }
+
+/// Takes the next band of a picture.
+pub(super) type Deliver<'a> = &'a mut dyn FnMut(&Picture) -> Result<(), Failure>;
 
 #[derive(Debug)]
 enum Place {
@@ -146,6 +152,76 @@ impl Target {
         fits.map_err(|error| Failure::Unusable(format!("cannot write {}: {error}", self.name())))
     }
 
+    /// Whether a picture of this size is written band by band, since it can't be held at once.
+    ///
+    /// # Errors
+    /// It can't be held, and can't be written so either.
+    pub(super) fn wants_bands(&self, window: &Window) -> Result<bool, Failure> {
+        if window.pixels() <= MAX_PIXELS {
+            return Ok(false);
+        }
+        let named = !matches!(self.place, Place::Standard);
+        if named && self.encoding.format.takes_bands() {
+            return Ok(true);
+        }
+        let able: Vec<_> = Format::all().filter(|format| format.takes_bands()).collect();
+        let able: Vec<_> = able.iter().map(|format| format.name()).collect();
+        Err(Failure::Unusable(format!(
+            "{}; --size and --crop make it smaller, and a file of {} is written piece by piece",
+            TooManyPixels {
+                width: window.width,
+                height: window.height,
+            },
+            able.join(", ")
+        )))
+    }
+
+    /// Writes a picture whose bands `trace` hands out one after another, whole or not at all.
+    pub(super) fn stream<T>(
+        &self,
+        window: &Window,
+        watch: &Watch,
+        trace: impl FnOnce(Deliver<'_>) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
+        let (Place::File(path) | Place::Stream(path)) = &self.place else {
+            return Err(Failure::unusable("standard output takes no bands"));
+        };
+        let mut outcome = None;
+        let write = || {
+            write_whole(path, |out| {
+                let mut out = Stoppable { out, watch };
+                let mut bands = Bands::begin(window.width, window.height, &self.encoding, &mut out)?;
+                let traced = trace(&mut |band| bands.push(band).map_err(|error| self.failed(&error, watch)));
+                let complete = traced.is_ok();
+                outcome = Some(traced);
+                if complete {
+                    bands.finish()
+                } else {
+                    Err(EncodeError::Io(io::Error::other("there is no picture")))
+                }
+            })
+        };
+        let written = match &self.place {
+            Place::File(_) => while_writing(write),
+            _ => write(),
+        };
+        match outcome {
+            Some(Ok(traced)) => written.map(|()| traced).map_err(|error| self.failed(&error, watch)),
+            Some(Err(failure)) => Err(failure),
+            None => Err(written
+                .err()
+                .map_or(Failure::Interrupted, |error| self.failed(&error, watch))),
+        }
+    }
+
+    fn failed(&self, error: &EncodeError, watch: &Watch) -> Failure {
+        if watch.stopped() {
+            Failure::Interrupted
+        } else {
+            Failure::Unusable(format!("cannot write {}: {error}", self.name()))
+        }
+    }
+
     /// Writes the picture, whole or not at all.
     pub(super) fn write(&self, picture: &Picture, watch: &Watch) -> Result<(), Failure> {
         let written = match &self.place {
@@ -154,13 +230,7 @@ impl Target {
             Place::Stream(path) => self.save(path, picture, watch),
             Place::Standard => self.pour(picture, watch),
         };
-        written.map_err(|error| {
-            if watch.stopped() {
-                Failure::Interrupted
-            } else {
-                Failure::Unusable(format!("cannot write {}: {error}", self.name()))
-            }
-        })
+        written.map_err(|error| self.failed(&error, watch))
     }
 
     fn save(&self, path: &Path, picture: &Picture, watch: &Watch) -> Result<(), EncodeError> {

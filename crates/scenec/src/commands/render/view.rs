@@ -1,7 +1,7 @@
 //! What is looked at: the settings that the command line puts in the place of the file's, and the part that is traced.
 
 use clap::{Args, ValueEnum};
-use scenec_picture::{Limits, MAX_PIXELS, TooManyPixels, Window};
+use scenec_picture::{Limits, Window};
 use scenec_scene::Scene;
 
 use crate::failure::Failure;
@@ -10,7 +10,7 @@ use crate::values;
 /// Arguments that take the place of what the file says.
 #[derive(Args, Debug)]
 #[command(next_help_heading = "Picture")]
-pub(super) struct ViewOptions {
+pub(crate) struct ViewOptions {
     /// Columns and rows in place of the file's `width` and `height`
     #[arg(long, value_name = "WxH", value_parser = values::size)]
     size: Option<(u32, u32)>,
@@ -46,7 +46,7 @@ enum Csg {
 
 impl ViewOptions {
     /// The scene as it is to be traced.
-    pub(super) fn scene(&self, mut scene: Scene) -> Scene {
+    pub(crate) fn scene(&self, mut scene: Scene) -> Scene {
         if let Some((width, height)) = self.size {
             (scene.settings.width, scene.settings.height) = (width, height);
         }
@@ -62,8 +62,8 @@ impl ViewOptions {
         }
     }
 
-    /// Which part of a picture of this size is to be traced: one inside it that memory can hold.
-    pub(super) fn window(&self, width: u32, height: u32) -> Result<Window, Failure> {
+    /// Which part of a picture of this size is to be traced: one inside it.
+    pub(crate) fn window(&self, width: u32, height: u32) -> Result<Window, Failure> {
         let window = self.crop.unwrap_or(Window::whole(width, height));
         let inside = |start: u32, length: u32, size: u32| start.checked_add(length).is_some_and(|end| end <= size);
         if !inside(window.x, window.width, width) || !inside(window.y, window.height, height) {
@@ -77,20 +77,11 @@ impl ViewOptions {
                 "the crop {x},{y},{w},{h} reaches beyond the picture, which has {width} x {height} pixels"
             )));
         }
-        if window.pixels() > MAX_PIXELS {
-            return Err(Failure::Unusable(format!(
-                "{}; --size and --crop make it smaller",
-                TooManyPixels {
-                    width: window.width,
-                    height: window.height,
-                }
-            )));
-        }
         Ok(window)
     }
 
     /// Where paths end early.
-    pub(super) fn limits(&self) -> Limits {
+    pub(crate) fn limits(&self) -> Limits {
         Limits {
             cutoff: self.cutoff,
             ray_budget: self.ray_budget,
