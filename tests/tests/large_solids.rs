@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use scenec_cpu::Cpu;
 use scenec_device::{Precision, tracer};
-use scenec_picture::{Frame, Limits, Window};
+use scenec_picture::{Frame, Limits, NOTHING, Window};
 use scenec_plan::{Features, Plan, Real, plan};
 use scenec_reference::Reference;
 use scenec_scene::Scene;
@@ -145,7 +145,9 @@ impl Tree {
             }
             let a = open.swap_remove(numbers.below(open.len() as u64) as usize);
             let b = open.swap_remove(numbers.below(open.len() as u64) as usize);
-            let op = ["|", "|", "|", "&", "-", "-"][numbers.below(6) as usize];
+            // What is joined last is united, so that there is something to see.
+            let kinds = if open.len() < 3 { 3 } else { 6 };
+            let op = ["|", "|", "|", "&", "-", "-"][numbers.below(kinds) as usize];
             let _ = match (form, op) {
                 (Form::Permuted, "|" | "&") => writeln!(text, "!j{joined} := {b} {op} {a}"),
                 (Form::Subtracted, "&") => writeln!(text, "!k{joined} := {a} - {b}\n!j{joined} := {a} - k{joined}"),
@@ -212,6 +214,7 @@ fn random_trees_show_what_the_reference_shows() {
         scene.settings.raydepth = 0;
         scene.lights.clear();
         let truth = frame(&mut Reference::new(&scene), whole(&scene), Limits::NO_CUTOFF, false);
+        assert!(truth.ids.iter().flatten().any(|id| *id != NOTHING), "{tree:?}");
         let plan = plan(&scene).unwrap();
         let seen = others(&truth, &on_processor::<f64>(&scene, &plan));
         assert_eq!(seen, 0, "{tree:?}");

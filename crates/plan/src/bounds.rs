@@ -44,6 +44,12 @@ impl Box3 {
         }
     }
 
+    /// One point.
+    #[must_use]
+    pub const fn point(point: DVec3) -> Self {
+        Self { min: point, max: point }
+    }
+
     /// The box of a leaf's complement: the rest of the world, but for a half-space, whose complement is one as well.
     #[must_use]
     pub fn of_complement(base: Base, transform: &Transform) -> Self {

@@ -35,12 +35,15 @@ const SLACK: f64 = 16.0 * CELLS_REACH * (1.0 / (1 << 24) as f64) * 2.0;
 
 /// Trees of up to this many leaves are not divided.
 const SMALL: usize = 6;
-/// What going through a wall costs, in leaves.
-const WALL: f64 = 0.5;
+/// What going through a wall costs, in pairs of leaves: with its leaves grow both the crossings that a ray sees in a cell and
+/// what each of them takes.
+const WALL: f64 = 4.0;
 /// How often a cell is halved without gain, in the hope of some further down.
 const HOPE: u32 = 3;
-/// The most tokens of all cells for each of the whole tree.
+/// The most tokens of all cells for each of the whole tree, ...
 const GROWTH: usize = 24;
+/// ... and as many more for trees of middle size.
+const ROOM: usize = 8192;
 /// The part of a cell that is cut off for being empty.
 const GAP: f64 = 0.15;
 
@@ -49,7 +52,7 @@ pub(crate) struct Divider<'a> {
     pruner: Pruner<'a>,
     /// What holds each leaf.
     boxes: &'a [Box3],
-    /// What everything bounded lies in, and the eye.
+    /// Where things are, and the eye.
     stage: Box3,
     known: HashMap<Vec<Token>, u32>,
     pub(crate) cells: Vec<Cell>,
@@ -162,7 +165,7 @@ impl<'a> Divider<'a> {
         if root.leaves <= SMALL {
             return None;
         }
-        let most = tokens.len().saturating_mul(GROWTH);
+        let most = tokens.len().saturating_mul(GROWTH).saturating_add(ROOM);
         let mut total = tokens.len();
         let mut drafts = vec![Draft::Constant(false)];
         let mut waiting = BinaryHeap::from([root]);
@@ -230,9 +233,9 @@ impl<'a> Divider<'a> {
             let cost: f64 = split
                 .sides
                 .iter()
-                .map(|(rest, bounds)| area(bounds) * self.leaves(rest))
+                .map(|(rest, bounds)| area(bounds) * self.leaves(rest).powi(2))
                 .sum();
-            if WALL + cost / area(&open.bounds) < open.leaves as f64 {
+            if WALL + cost / area(&open.bounds) < (open.leaves * open.leaves) as f64 {
                 return Some((split, 0));
             }
             hope = hope.or(Some(split));

@@ -154,8 +154,13 @@ impl Flat {
             .iter()
             .map(|leaf| holder(&self.shapes[leaf.shape as usize]))
             .collect();
-        let finite = boxes.iter().copied().filter(|bounds| bounds.is_finite());
-        let stage = finite.fold(Box3 { min: eye, max: eye }, Box3::hull);
+        // Of a half-space counts the point that is nearest to the origin.
+        let place = |(bounds, leaf): (&Box3, &Leaf)| match bounds.is_finite() {
+            true => *bounds,
+            false => Box3::point(self.shapes[leaf.shape as usize].centre),
+        };
+        let places = boxes.iter().zip(&self.leaves).map(place);
+        let stage = places.fold(Box3::point(eye), Box3::hull);
         let stage = Box3 {
             min: stage.min - 1.0,
             max: stage.max + 1.0,

@@ -13,6 +13,7 @@ mod frame;
 mod node_facts;
 mod normal;
 mod packed;
+mod packed_parts;
 mod parts;
 mod postfix;
 mod precision;

@@ -3,7 +3,6 @@
 //! Each struct is written once, below. The macro makes the Rust type and a description of it from which the kernels'
 //! side is generated, and refuses a struct that would hold padding in either precision.
 
-use crate::cells::CELL_PART;
 use crate::shapes::ShapeKind;
 use crate::{Plan, Real};
 
@@ -394,39 +393,6 @@ impl Plan {
             reach: self.reach.iter().map(|bound| R::of(*bound)).collect(),
         }
         .counted(uint)
-    }
-
-    fn packed_islands(&self) -> Vec<Island> {
-        let island = |program: (u32, u32), members: (u32, u32), product: bool, cells: Option<u32>| Island {
-            program: program.0,
-            program_end: program.1,
-            members: members.0,
-            members_end: members.1,
-            product: product.into(),
-            cells: cells.unwrap_or(u32::MAX),
-        };
-        let islands = self
-            .islands
-            .iter()
-            .map(|it| island(it.program, it.members, it.product, it.cells));
-        let parts = self
-            .parts
-            .iter()
-            .map(|it| island(it.program, it.members, it.product, None));
-        islands.chain(parts).collect()
-    }
-
-    fn packed_cells(&self) -> Vec<Cell> {
-        let islands = self.islands.len() as u32;
-        let numbered = |cell: &Cell| Cell {
-            first: if cell.kind == CELL_PART {
-                islands + cell.first
-            } else {
-                cell.first
-            },
-            ..*cell
-        };
-        self.cells.iter().map(numbered).collect()
     }
 
     fn packed_frame<R: Real>(&self) -> Frame<R> {
