@@ -38,7 +38,7 @@ impl Known {
         })
     }
 
-    /// Remembers it, if it is news: a number that changed by a quarter or more.
+    /// Remembers it, if it is news: times come and go, and each writing waits for the disk.
     pub(crate) fn remember(self, cache: &Cache, info: &DeviceInfo, precision: Precision) {
         let before = Self::of(cache, info, precision);
         let news = [
@@ -88,8 +88,9 @@ pub(crate) fn cache() -> Cache {
     Cache::of_user("devices")
 }
 
+/// Whether a number is sound, and half of what it was or less, or twice that or more.
 fn differs(new: f64, old: f64) -> bool {
-    new.is_finite() && new > 0.0 && !(0.8..=1.25).contains(&(new / old))
+    new.is_finite() && new > 0.0 && !(0.5..=2.0).contains(&(new / old))
 }
 
 fn asking_key() -> Hash {
