@@ -5,15 +5,13 @@ use scenec_plan::{Plan, PlanError, plan};
 use scenec_scene::{Scene, View, view};
 
 use crate::discrepancy::of_edges;
+use crate::doubt::{Doubt, SHADING};
 use crate::setting::Setting;
 use crate::trial::{Trial, trial};
 
 /// How far rays are turned to see what roundings may do, in roundings of a number near 1. A pixel's ray is known to
 /// about four of them; this is 64 times as far, so that a small picture has enough pixels that show it.
 const TURN: f64 = 4.0 * 64.0;
-
-/// How many roundings of itself a colour may be off by where no ray takes another way: the sums and products of shading.
-const SHADING: f64 = 16.0;
 
 /// A bound on a picture's distance from the picture of the same scene at any number of samples with nothing dropped.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -28,6 +26,22 @@ pub struct Bound {
     pub max: f64,
     /// All three together: the root of the mean square over all components.
     pub rms: f64,
+}
+
+impl Bound {
+    /// Of a picture whose pixels may be so wrong.
+    #[must_use]
+    pub fn of(doubts: &[Doubt]) -> Self {
+        let most = |part: fn(&Doubt) -> f64| doubts.iter().map(part).fold(0.0, f64::max);
+        let squares: f64 = doubts.iter().map(|doubt| doubt.bound() * doubt.bound()).sum();
+        Self {
+            truncation: most(|doubt| doubt.truncation.into()),
+            rounding: most(|doubt| doubt.rounding.into()),
+            sampling: most(|doubt| doubt.sampling.into()),
+            max: most(Doubt::bound),
+            rms: (squares / doubts.len().max(1) as f64).sqrt(),
+        }
+    }
 }
 
 /// The bound of a picture that was traced with a setting: takes two more pictures.

@@ -9,18 +9,52 @@ const DIRECTIONS: u32 = 90;
 /// pixel that does, over all edges. Points are measured from the centre of a pixel of side 1.
 pub(crate) fn of_edges(points: &[[f64; 2]]) -> f64 {
     let mut worst = 0.0_f64;
+    // The edge passes a point on either side.
+    each(points, |below, area, step| {
+        worst = worst.max((area - below).abs()).max((below + step - area).abs());
+    });
+    worst
+}
+
+/// The same difference over edges of all directions through all points, which have half of their point on either side:
+/// the root of the mean square.
+#[cfg(test)]
+pub(crate) fn typical(points: &[[f64; 2]]) -> f64 {
+    let (mut squares, mut count) = (0.0, 0.0);
+    each(points, |below, area, step| {
+        squares += (below + step / 2.0 - area).powi(2);
+        count += 1.0;
+    });
+    (squares / f64::max(count, 1.0)).sqrt()
+}
+
+/// The largest part of the pixel that an edge cuts off without a point in it.
+#[cfg(test)]
+pub(crate) fn empty(points: &[[f64; 2]]) -> f64 {
+    let mut worst = 0.0_f64;
+    each(points, |below, area, step| {
+        if below == 0.0 {
+            worst = worst.max(area);
+        }
+        if below + 1.5 * step > 1.0 {
+            worst = worst.max(1.0 - area);
+        }
+    });
+    worst
+}
+
+/// Tells, for edges of all directions through each point: the share of the points on one side without this one, the share of
+/// the pixel, and the share of a point.
+fn each(points: &[[f64; 2]], mut tell: impl FnMut(f64, f64, f64)) {
     let step = 1.0 / points.len().max(1) as f64;
     for direction in 0..DIRECTIONS {
         let (sine, cosine) = (PI * f64::from(direction) / f64::from(DIRECTIONS)).sin_cos();
         let mut places: Vec<_> = points.iter().map(|[x, y]| x * cosine + y * sine).collect();
         places.sort_by(f64::total_cmp);
-        // The edge passes a point on either side.
         for (below, place) in (0..).map(|count| f64::from(count) * step).zip(places) {
-            let area = area(place, cosine.abs(), sine.abs());
-            worst = worst.max((area - below).abs()).max((below + step - area).abs());
+            tell(below, area(place, cosine.abs(), sine.abs()), step);
         }
     }
-    worst
 }
 
 /// The share of the square on one side of an edge: `place` is its distance from the centre, `a` and `b` the parts of its

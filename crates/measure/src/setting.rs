@@ -62,10 +62,7 @@ impl Setting {
 
     /// How much one rounding changes a number, relative to it.
     pub(crate) fn roundoff(&self) -> f64 {
-        match self.precision {
-            Precision::F32 => f64::from(f32::EPSILON) / 2.0,
-            Precision::F64 => f64::EPSILON / 2.0,
-        }
+        roundoff(self.precision)
     }
 
     /// The same with other samples.
@@ -74,5 +71,13 @@ impl Setting {
             samples,
             ..self.clone()
         }
+    }
+}
+
+/// How much one rounding changes a number, relative to it.
+pub(crate) const fn roundoff(precision: Precision) -> f64 {
+    match precision {
+        Precision::F32 => f32::EPSILON as f64 / 2.0,
+        Precision::F64 => f64::EPSILON / 2.0,
     }
 }

@@ -118,7 +118,8 @@ pub(crate) fn view(scene: &Scene, place: &Place) -> View {
 
 /// The first `count` points of the R2 sequence (Roberts 2018), measured from the centre of a unit square: multiples of
 /// (1/g, 1/g^2) modulo 1, where g^3 = g + 1. The first is the centre, and any prefix of a longer run is a shorter one.
-fn sample_points(count: u32) -> Vec<[f64; 2]> {
+#[must_use]
+pub fn sample_points(count: u32) -> Vec<[f64; 2]> {
     const G: f64 = 1.324_717_957_244_746;
     let point = |k: u32| [1.0 / G, 1.0 / (G * G)].map(|step| (0.5 + f64::from(k) * step).fract() - 0.5);
     (0..count).map(point).collect()

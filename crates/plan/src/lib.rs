@@ -32,7 +32,7 @@ use scenec_scene::{DVec3, Material, Scene};
 pub use bounds::Box3;
 pub use cells::{CELL_EMPTY, CELL_FULL, CELL_PART, CELLS_DEPTH, CELLS_REACH};
 pub use features::Features;
-pub use frame::{Lamp, Touch, View};
+pub use frame::{Lamp, Touch, View, sample_points};
 pub use packed::{Field, FieldKind, LAYOUTS, Layout, Packed, packed_structs};
 pub use precision::BeyondSingle;
 pub use program::{Instruction, OPERATION_SHIFT, PROGRAM_DEPTH, evaluate, evaluate_product, owner};

@@ -64,7 +64,7 @@ impl Plan {
             return Some(BeyondSingle::OutOfRange);
         }
         let displaced = |leaf: &crate::Leaf| {
-            let pixels = self.displacement(&self.shapes[leaf.shape as usize]);
+            let pixels = self.displacement(&self.shapes[leaf.shape as usize], UNIT);
             (pixels > TOLERANCE).then_some(BeyondSingle::Displaced {
                 pixels,
                 solid: leaf.solid,
@@ -76,19 +76,30 @@ impl Plan {
             .or_else(|| self.nearly_coincident())
     }
 
-    /// How many pixels beside its place a surface may appear in single precision: the eye, the surface's centre and the
-    /// ray's direction are each rounded once, which moves the surface by u times their sizes, as seen over the least
-    /// distance from which the eye can see it.
-    fn displacement(&self, shape: &Shape) -> f64 {
+    /// How many pixels beside its place any surface may appear to the eye, with this unit roundoff; at most 1, for that is
+    /// anywhere in its pixel. A surface that the eye is on does not count: its rays start on it exactly.
+    #[must_use]
+    pub fn displaced(&self, roundoff: f64) -> f64 {
+        let worst = self.leaves.iter().fold(0.0_f64, |worst, leaf| {
+            let pixels = self.displacement(&self.shapes[leaf.shape as usize], roundoff);
+            if pixels.is_finite() { worst.max(pixels) } else { worst }
+        });
+        worst.min(1.0)
+    }
+
+    /// How many pixels beside its place a surface may appear: the eye, the surface's centre and the ray's direction are
+    /// each rounded once, which moves the surface by u times their sizes, as seen over the least distance from which the
+    /// eye can see it.
+    fn displacement(&self, shape: &Shape, roundoff: f64) -> f64 {
         let view = &self.view;
         let pixel = 2.0 * view.right.length() / f64::from(view.width);
-        let moved = UNIT * (shape.centre.length() + view.eye.length());
+        let moved = roundoff * (shape.centre.length() + view.eye.length());
         let offset = view.eye - shape.centre;
         let distance = match shape.kind {
             ShapeKind::HalfSpace => shape.normal().dot(offset).abs(),
             _ => ((shape.inverse * offset).length() - 1.0).abs() * shape.least_radius(),
         };
-        (UNIT + moved / distance) / pixel
+        (roundoff + moved / distance) / pixel
     }
 
     /// The first two surfaces that are not the same, and yet nearly.

@@ -74,7 +74,7 @@ impl Shape {
 
     /// A bound from below on the shortest half axis of a ball or ellipsoid.
     #[must_use]
-    pub(crate) fn least_radius(&self) -> f64 {
+    pub fn least_radius(&self) -> f64 {
         let squares: f64 = self.inverse.to_cols_array().into_iter().map(|x| x * x).sum();
         squares.sqrt().recip()
     }

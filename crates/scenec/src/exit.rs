@@ -13,6 +13,8 @@ pub(crate) enum Exit {
     Unusable,
     /// The device that was asked for failed, or there is none.
     DeviceFailed,
+    /// The picture is written, and may be more wrong than was asked for.
+    Missed,
     /// Ctrl-C.
     Interrupted,
 }
@@ -25,6 +27,7 @@ impl Exit {
             Self::Errors => 1,
             Self::Unusable => 2,
             Self::DeviceFailed => 3,
+            Self::Missed => 4,
             // As shells have it: 128 and the number of the signal.
             Self::Interrupted => 130,
         }

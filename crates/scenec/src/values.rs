@@ -61,6 +61,16 @@ pub(crate) fn limit(text: &str) -> Result<f64, String> {
     fraction(text).ok_or_else(|| "a limit is a number of at least 0, or a fraction such as 1/255".to_owned())
 }
 
+/// How far a component may be off, as a number, a fraction or in hundredths.
+pub(crate) fn tolerance(text: &str) -> Result<f64, String> {
+    let value = match text.trim().strip_suffix('%') {
+        Some(hundredths) => fraction(hundredths).map(|value| value / 100.0),
+        None => fraction(text),
+    };
+    let value = value.filter(|value| *value > 0.0);
+    value.ok_or_else(|| "a tolerance is a number above 0, a fraction such as 1/255, or as in 0.4%".to_owned())
+}
+
 /// A number of at least 0, written as one or as a fraction: `0.001`, `1/4096`.
 fn fraction(text: &str) -> Option<f64> {
     let value = match text.split_once('/') {
@@ -78,7 +88,7 @@ fn number(text: &str) -> Option<f64> {
 mod tests {
     use std::fmt::Debug;
 
-    use super::{cutoff, samples, size, window};
+    use super::{cutoff, samples, size, tolerance, window};
 
     /// `expect` is the value as it is debugged, or a part of the error.
     fn check<T: Debug>(parse: fn(&str) -> Result<T, String>, text: &str, expect: &str) {
@@ -110,6 +120,16 @@ mod tests {
         check(window, "1,2,3", "X,Y,W,H");
         check(window, "-1,2,3,4", "X,Y,W,H");
         check(window, "1,2,3,4294967296", "X,Y,W,H");
+    }
+
+    #[test]
+    fn tolerances_are_above_nothing() {
+        check(tolerance, "1/256", "0.00390625");
+        check(tolerance, "0.5%", "0.005");
+        check(tolerance, " 2 ", "2.0");
+        for refused in ["0", "0%", "-1", "1/0", "%", "inf", "nan", ""] {
+            check(tolerance, refused, "a tolerance is");
+        }
     }
 
     #[test]

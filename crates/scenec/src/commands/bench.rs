@@ -4,6 +4,7 @@ mod cache;
 mod outputs;
 mod process;
 mod stability;
+mod tolerance;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -34,7 +35,7 @@ pub(crate) struct BenchOptions {
     #[arg(value_name = "SCENE", required_unless_present = "stability")]
     scenes: Vec<PathBuf>,
     /// The folder to write report.csv, report.md and the diagrams wp.svg and wp.png into
-    #[arg(short, long, value_name = "DIR", required_unless_present = "stability")]
+    #[arg(short, long, value_name = "DIR", required_unless_present_any = ["stability", "tolerance"])]
     output: Option<PathBuf>,
     /// Run the stability suite instead, awkward scenes with known answers, and print its table
     ///
@@ -48,6 +49,13 @@ pub(crate) struct BenchOptions {
     /// out, where it shows another surface than the slow tracer.
     #[arg(long, requires = "stability")]
     povray: bool,
+    /// Print instead what a render to this tolerance costs beside the same samples for every pixel
+    ///
+    /// Each scene is rendered with --tolerance, and held against the same scene to an eighth of it with other sample
+    /// points. The table says how many samples everywhere would be as good by their bound, and by their error.
+    #[arg(long, value_name = "T", value_parser = values::tolerance,
+        conflicts_with_all = ["stability", "output", "device", "cache", "heat"])]
+    tolerance: Option<f64>,
     /// Take about a minute for a small scene, with fewer pixels, samples and repetitions
     #[arg(long, conflicts_with = "full")]
     quick: bool,
@@ -76,6 +84,7 @@ Examples:
   scenec bench scenes/glass.scene scenes/mirrors.scene -o bench --size 120x80 --device none
   scenec bench --stability > stability.md
   scenec bench --stability --povray --device none > stability.md
+  scenec bench scenes/*.scene --tolerance 1/255 --size 48x32
 
 Exit codes:
   0    everything is written, and no picture is more wrong than its bound
@@ -104,6 +113,14 @@ impl BenchOptions {
     }
 
     fn bench(&self) -> Result<Exit, Failure> {
+        if let Some(tolerance) = self.tolerance {
+            let scene = |path: &PathBuf| {
+                let (_, scene) = scenes::open(path, true, &self.style, |_| ())?;
+                Ok((name(path), self.sized(scene)))
+            };
+            let scenes: Result<Vec<_>, Failure> = self.scenes.iter().map(scene).collect();
+            return tolerance::run(&scenes?, tolerance);
+        }
         // Without the suite the arguments have to name a folder.
         let Some(output) = self.output.as_ref().filter(|_| !self.stability) else {
             return stability::run(self.device()?, self.povray);
@@ -170,6 +187,12 @@ impl BenchOptions {
         let work = || bench.run(&mut |setting, start| renders.run(setting, start));
         Ok(progress::counted(&counter, bench.work(), "samples", work)?)
     }
+}
+
+/// What a scene is called by its file.
+fn name(path: &Path) -> String {
+    let stem = path.file_stem().unwrap_or(path.as_os_str());
+    stem.to_string_lossy().into_owned()
 }
 
 /// What is found in a few lines, as soon as it is.

@@ -1,6 +1,7 @@
 //! `scenec render`
 
 pub(crate) mod account;
+mod bounds;
 pub(crate) mod choice;
 mod clock;
 mod machine;
@@ -39,6 +40,8 @@ pub(crate) struct Render {
     #[command(flatten)]
     machine: choice::MachineOptions,
     #[command(flatten)]
+    bounds: bounds::BoundOptions,
+    #[command(flatten)]
     talk: TalkOptions,
 }
 
@@ -57,6 +60,7 @@ const AFTER_HELP: &str = "\
 Examples:
   scenec render seed.scene -o seed.png
   scenec render seed.scene -o large.png --size 3840x2160 --samples 16
+  scenec render seed.scene -o exact.png --tolerance 1/255 --error-map wrong.exr
   scenec render seed.scene -o part.exr --crop 200,100,64,64 --device reference
   generate | scenec render - -o - --format png --quiet | display
 
@@ -65,12 +69,13 @@ Exit codes:
   1    the scene file has errors
   2    the arguments, the file or the place to write can't be used, or the picture is too large
   3    the device failed, or there is none
+  4    the picture is written, but some of it may be off by more than --tolerance
   130  stopped by Ctrl-C; a second Ctrl-C does not wait for the tracer";
 
 impl Render {
     pub(crate) fn run(&self) -> Exit {
         match self.render() {
-            Ok(()) => Exit::Clean,
+            Ok(exit) => exit,
             Err(failure) => {
                 // With standard error gone there is nobody left to tell, here and below.
                 failure.tell(&mut io::stderr().lock()).unwrap_or_default();
@@ -79,18 +84,25 @@ impl Render {
         }
     }
 
-    fn render(&self) -> Result<(), Failure> {
+    fn render(&self) -> Result<Exit, Failure> {
         let mut clock = Clock::start();
+        if let Some(option) = self.bounds.needs_own_tracer() {
+            self.machine.must_be_own(option)?;
+        }
         let target = self.target.target(&self.file)?;
+        let map = self.bounds.map(&self.file, &target)?;
         let (_, scene) = scenes::open(&self.file, self.talk.voice.quiet, &self.talk.voice.style, |stage| {
             clock.lap(stage)
         })?;
         let scene = self.view.scene(scene);
         let window = self.view.window(scene.settings.width, scene.settings.height)?;
-        target.check(&window)?;
+        self.bounds.check(&window)?;
+        for target in [Some(&target), map.as_ref()].into_iter().flatten() {
+            target.check(&window)?;
+        }
 
         let watch = interrupt::watch();
-        let bands = target.wants_bands(&window)?;
+        let bands = self.bounds.needs_own_tracer().is_none() && target.wants_bands(&window)?;
         let traced = if bands {
             let trace = |deliver: Deliver<'_>| self.trace(&scene, window, &mut clock, Some(deliver));
             target.stream(&window, watch, trace)?
@@ -103,9 +115,12 @@ impl Render {
         if !bands {
             target.write(&traced.frame.picture, watch)?;
         }
+        if let (Some(map), Some(doubts)) = (&map, &traced.doubts) {
+            map.write(&bounds::map(doubts, window.width, window.height, map)?, watch)?;
+        }
         clock.lap("encode");
         self.conclude(&scene, &traced, &window, &target.name(), &clock);
-        Ok(())
+        Ok(verdict(&traced))
     }
 
     fn trace<'a>(
@@ -115,27 +130,38 @@ impl Render {
         clock: &'a mut Clock,
         deliver: Option<Deliver<'a>>,
     ) -> Result<Traced, Failure> {
-        Attempt {
+        let mut limits = self.view.limits();
+        if self.bounds.tolerance.is_some() {
+            limits.ray_budget = self.view.generous_budget();
+        }
+        let mut attempt = Attempt {
             options: &self.machine,
             request: Request {
                 window,
-                limits: self.view.limits(),
-                layers: Layers::default(),
+                limits,
+                layers: Layers {
+                    spread: deliver.is_none() && self.bounds.spread(&window, self.talk.stats),
+                    ..Layers::default()
+                },
                 watch: interrupt::watch(),
             },
+            own: self.bounds.needs_own_tracer().is_some(),
             clock,
             deliver,
             delivered: machine::Delivered::default(),
             progress: !self.talk.voice.quiet,
             warn: if self.talk.voice.quiet { |_| () } else { warn },
+        };
+        match self.bounds.tolerance {
+            Some(tolerance) => attempt.promised(scene, tolerance, self.bounds.most_samples),
+            None => attempt.trace(scene),
         }
-        .trace(scene)
     }
 
     /// Says what may be wrong with a picture.
     fn doubts(&self, traced: &Traced) {
         let stats = &traced.frame.stats;
-        if stats.over_budget > 0 {
+        if stats.over_budget > 0 && traced.promise.is_none() {
             warn(&format!(
                 "{} met the ray budget of {}, and what was left out may add up to {:.2e} of a colour component; \
                  --ray-budget sets it",
@@ -162,8 +188,26 @@ impl Render {
                 traced.name,
                 clock.total().as_secs_f64() * 1e3
             );
+            let line = match &traced.promise {
+                Some(promise) => format!("{line}, {}", bounds::spent(promise)),
+                None => line,
+            };
             report::remark(out, &line).unwrap_or_default();
         }
+    }
+}
+
+/// Whether the picture is what was asked for. If not, that is said to those as well who want to hear of nothing else.
+fn verdict(traced: &Traced) -> Exit {
+    let (Some(promise), Some(doubts)) = (&traced.promise, &traced.doubts) else {
+        return Exit::Clean;
+    };
+    match bounds::shortfall(promise, doubts) {
+        Some(words) => {
+            warn(&words);
+            Exit::Missed
+        }
+        None => Exit::Clean,
     }
 }
 

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may stop at once")]
 
+mod bounds;
 mod cache;
 mod devices;
 #[cfg(target_os = "linux")]

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 use std::time::Duration;
 
+use scenec_measure::Bound;
 use scenec_picture::{Stats, Window};
 use scenec_plan::{Features, Plan};
 use scenec_scene::{Scene, SolidKind};
@@ -13,11 +14,12 @@ use super::machine::Traced;
 /// The account of a render, some lines of text.
 pub(super) fn account(scene: &Scene, traced: &Traced, window: &Window, clock: &Clock) -> String {
     let mut rows = vec![
-        ("size", size(scene, window)),
+        ("size", size(scene, traced, window)),
         ("device", traced.name.clone()),
         ("kept", kept(scene, traced.plan.as_ref())),
         ("rays", rays(&traced.frame.stats)),
         ("dropped", dropped(&traced.frame.stats)),
+        ("bound", bound(traced)),
     ];
     if let Some(features) = &traced.features {
         rows.push(("features", self::features(features)));
@@ -36,7 +38,7 @@ pub(crate) fn table(rows: &[(&str, String)]) -> String {
     text
 }
 
-fn size(scene: &Scene, window: &Window) -> String {
+fn size(scene: &Scene, traced: &Traced, window: &Window) -> String {
     let settings = &scene.settings;
     let whole = (settings.width, settings.height);
     let part = if whole == (window.width, window.height) {
@@ -44,9 +46,13 @@ fn size(scene: &Scene, window: &Window) -> String {
     } else {
         format!(" of {} x {}", whole.0, whole.1)
     };
+    let samples = match &traced.promise {
+        Some(promise) => super::bounds::spent(promise),
+        None => format!("samples {}", settings.samples),
+    };
     format!(
-        "{} x {}{part}, samples {}, raydepth {}",
-        window.width, window.height, settings.samples, settings.raydepth
+        "{} x {}{part}, {samples}, raydepth {}",
+        window.width, window.height, settings.raydepth
     )
 }
 
@@ -87,6 +93,18 @@ fn dropped(stats: &Stats) -> String {
         stats.dropped,
         grouped(stats.over_budget)
     )
+}
+
+/// How wrong the picture may be, so far as is known.
+fn bound(traced: &Traced) -> String {
+    match &traced.doubts {
+        Some(doubts) => super::bounds::words(&Bound::of(doubts)),
+        None => format!(
+            "truncation at most {:.3e} (proven); the built-in tracer estimates the rest, of up to {} pixels",
+            traced.frame.stats.dropped,
+            grouped(super::bounds::MOST_PIXELS)
+        ),
+    }
 }
 
 /// Those that are on; a number where there is more to say than that.

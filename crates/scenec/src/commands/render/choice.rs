@@ -67,6 +67,22 @@ impl Choice {
 
 impl MachineOptions {
     /// Whether the slow tracer was asked for, which goes without a plan.
+    /// Refuses a tracer that can't tell how far samples are apart, as this option of the command line needs it.
+    pub(super) fn must_be_own(&self, option: &str) -> Result<(), Failure> {
+        match self.device {
+            Choice::Auto | Choice::Cpu => Ok(()),
+            Choice::Reference | Choice::OpenCl(_) => Err(Failure::Unusable(format!(
+                "{option} is for the built-in tracer, which alone tells how far a pixel's samples are apart; leave out \
+                 --device, or use --device cpu"
+            ))),
+        }
+    }
+
+    /// The precision that was asked for; `None` for `auto`.
+    pub(super) fn asked_precision(&self) -> Option<Precision> {
+        self.precision
+    }
+
     pub(crate) fn wants_reference(&self) -> bool {
         self.device == Choice::Reference
     }

@@ -4,6 +4,7 @@ use std::thread;
 
 use scenec_cpu::Cpu;
 use scenec_device::{DeviceInfo, Precision, remember_gain, worth_asking};
+use scenec_measure::{Doubt, Tolerance, doubts};
 use scenec_picture::{Frame, Request, Stats, Tracer, Window};
 use scenec_plan::{Features, Plan, Real, plan};
 use scenec_reference::Reference;
@@ -28,12 +29,25 @@ pub(super) struct Traced {
     pub(super) plan: Option<Plan>,
     /// What the kernels were made for, if they were.
     pub(super) features: Option<Features>,
+    /// How wrong each pixel may be, if the tracer can tell and somebody asks.
+    pub(super) doubts: Option<Vec<Doubt>>,
+    /// What was promised, if something was.
+    pub(super) promise: Option<Promise>,
+}
+
+/// A tolerance, and what was spent on it.
+pub(super) struct Promise {
+    pub(super) tolerance: f64,
+    /// Of each pixel.
+    pub(super) samples: Vec<u32>,
 }
 
 /// One attempt after another, until one succeeds.
 pub(super) struct Attempt<'a> {
     pub(super) options: &'a MachineOptions,
     pub(super) request: Request<'a>,
+    /// Whether only the built-in tracer will do.
+    pub(super) own: bool,
     pub(super) clock: &'a mut Clock,
     /// Takes the picture band by band, where it is too large to be held.
     pub(super) deliver: Option<Deliver<'a>>,
@@ -79,7 +93,7 @@ impl Attempt<'_> {
         let threads = self.options.threads();
         let mut prepared = None;
         let nanoseconds = match most(&plan, &self.request, workers(threads)) {
-            _ if !self.options.wants_forecast() => 0.0,
+            _ if self.own || !self.options.wants_forecast() => 0.0,
             Some(most) if !worth_asking(most) => most,
             _ => {
                 let cpu = prepared.insert(Cpu::<R>::new(&plan, threads)?);
@@ -87,7 +101,9 @@ impl Attempt<'_> {
             }
         };
         self.clock.lap("prepare");
-        if let Some(info) = self.options.choose(&plan, precision, nanoseconds)?.device {
+        if !self.own
+            && let Some(info) = self.options.choose(&plan, precision, nanoseconds)?.device
+        {
             let precision = self.options.precision_on(info, precision, self.warn);
             match self.opencl(info, plan.clone(), precision, nanoseconds) {
                 Err(Failure::Device(reason)) if self.options.may_change() && !self.request.watch.stopped() => {
@@ -102,7 +118,53 @@ impl Attempt<'_> {
             Some(cpu) => cpu,
             None => Cpu::<R>::new(&plan, threads)?,
         };
-        self.finish(&mut cpu, Some(plan), None)
+        let mut traced = self.finish(&mut cpu, None, None)?;
+        traced.doubts = doubts(&plan, precision, &traced.frame);
+        if traced.doubts.is_some() {
+            self.clock.lap("bound");
+        }
+        Ok(Traced {
+            plan: Some(plan),
+            ..traced
+        })
+    }
+
+    /// Traces the scene until no pixel may be off by more than a tolerance, or none can be improved.
+    pub(super) fn promised(&mut self, scene: &Scene, tolerance: f64, most_samples: u32) -> Result<Traced, Failure> {
+        let request = &self.request;
+        let wish = Tolerance {
+            scene,
+            window: request.window,
+            tolerance,
+            most_samples,
+            ray_budget: request.limits.ray_budget,
+            precision: self.options.asked_precision(),
+            threads: self.options.threads(),
+            watch: request.watch,
+        };
+        let pixels = request.window.pixels();
+        let achieved = progress::shown(request.watch, pixels, self.progress, || wish.achieve());
+        self.clock.lap("trace");
+        let achieved = achieved?;
+        Ok(Traced {
+            strange: achieved.picture.non_finite() as u64,
+            frame: Frame {
+                picture: achieved.picture,
+                ids: None,
+                exact: None,
+                paths: None,
+                spread: None,
+                stats: achieved.stats,
+            },
+            name: achieved.name,
+            plan: Some(achieved.plan),
+            features: None,
+            doubts: Some(achieved.doubts),
+            promise: Some(Promise {
+                tolerance,
+                samples: achieved.samples,
+            }),
+        })
     }
 
     fn opencl(
@@ -143,6 +205,8 @@ impl Attempt<'_> {
             name: tracer.name(),
             plan,
             features,
+            doubts: None,
+            promise: None,
         })
     }
 

@@ -67,13 +67,7 @@ enum Place {
 impl TargetOptions {
     /// The place and the way to write, so far as they can be known before there is a scene.
     pub(super) fn target(&self, input: &Path) -> Result<Target, Failure> {
-        let place = if self.output.as_os_str() == "-" {
-            Place::Standard
-        } else if fs::metadata(&self.output).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
-            Place::Stream(self.output.clone())
-        } else {
-            Place::File(self.output.clone())
-        };
+        let place = Place::of(&self.output);
         let encoding = Encoding {
             format: self.chosen_format(&place)?,
             depth: self.depth,
@@ -81,32 +75,51 @@ impl TargetOptions {
             quality: self.quality,
         };
         encoding.check(1, 1).map_err(Failure::unusable)?;
-        match &place {
-            Place::Standard if io::stdout().is_terminal() => {
-                return Err(Failure::unusable(
-                    "a picture is nothing for a terminal; send standard output elsewhere, or name a file with -o",
-                ));
-            }
-            Place::Standard | Place::Stream(_) => {}
-            Place::File(path) => {
-                writable(path).map_err(|error| cannot_write(path, &error))?;
-                let same = |a: &Path, b: &Path| Some(fs::canonicalize(a).ok()? == fs::canonicalize(b).ok()?);
-                if same(path, input) == Some(true) {
-                    return Err(cannot_write(path, &"it is the scene itself"));
-                }
-            }
-        }
+        place.check(input)?;
         Ok(Target { place, encoding })
     }
 
     fn chosen_format(&self, place: &Place) -> Result<Format, Failure> {
-        match (self.format, place) {
-            (Some(format), _) => Ok(format),
-            (None, Place::Standard) => Err(Failure::Unusable(format!(
+        self.format.map_or_else(|| place.format(), Ok)
+    }
+}
+
+impl Place {
+    fn of(path: &Path) -> Self {
+        if path.as_os_str() == "-" {
+            Self::Standard
+        } else if fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
+            Self::Stream(path.to_owned())
+        } else {
+            Self::File(path.to_owned())
+        }
+    }
+
+    /// Refuses what can't be written to, and the scene.
+    fn check(&self, input: &Path) -> Result<(), Failure> {
+        match self {
+            Self::Standard if io::stdout().is_terminal() => Err(Failure::unusable(
+                "a picture is nothing for a terminal; send standard output elsewhere, or name a file with -o",
+            )),
+            Self::Standard | Self::Stream(_) => Ok(()),
+            Self::File(path) => {
+                writable(path).map_err(|error| cannot_write(path, &error))?;
+                if same(path, input) {
+                    return Err(cannot_write(path, &"it is the scene itself"));
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// The format that its extension says.
+    fn format(&self) -> Result<Format, Failure> {
+        match self {
+            Self::Standard => Err(Failure::Unusable(format!(
                 "standard output has no extension; --format says what to write: {}",
                 list(|format| format.name().to_owned())
             ))),
-            (None, Place::File(path) | Place::Stream(path)) => Format::from_path(path).ok_or_else(|| {
+            Self::File(path) | Self::Stream(path) => Format::from_path(path).ok_or_else(|| {
                 Failure::Unusable(format!(
                     "the extension of {} is not one of a known format; use {}, or --format",
                     path.display(),
@@ -115,6 +128,22 @@ impl TargetOptions {
             }),
         }
     }
+}
+
+/// Whether both are one file, there already or not.
+fn same(a: &Path, b: &Path) -> bool {
+    let whole = |path: &Path| match (fs::canonicalize(path), path.file_name()) {
+        (Ok(whole), _) => Some(whole),
+        (Err(_), Some(name)) => Some(fs::canonicalize(folder(path)).ok()?.join(name)),
+        (Err(_), None) => None,
+    };
+    whole(a).is_some_and(|a| Some(a) == whole(b))
+}
+
+/// The folder that a file stands in.
+fn folder(path: &Path) -> &Path {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    folder.unwrap_or(Path::new("."))
 }
 
 fn list(words: fn(Format) -> String) -> String {
@@ -132,12 +161,30 @@ fn writable(path: &Path) -> io::Result<()> {
         Ok(_) => fs::canonicalize(path)?,
         Err(_) => path.to_owned(),
     };
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     // Asking for permissions would not tell of full disks and read-only ones; making a file does.
-    tempfile::tempfile_in(folder.unwrap_or(Path::new("."))).map(drop)
+    tempfile::tempfile_in(folder(&path)).map(drop)
 }
 
 impl Target {
+    /// A second file to write, in the usual way of the format that its extension says.
+    pub(super) fn beside(path: &Path, input: &Path, first: &Self) -> Result<Self, Failure> {
+        let place = Place::of(path);
+        if matches!(place, Place::Standard) {
+            return Err(Failure::unusable("an error map needs the name of a file"));
+        }
+        let encoding = Encoding::of(place.format()?);
+        place.check(input)?;
+        match &first.place {
+            Place::File(other) if same(path, other) => Err(cannot_write(path, &"it is the picture itself")),
+            _ => Ok(Self { place, encoding }),
+        }
+    }
+
+    /// How its components are stored.
+    pub(super) fn depth(&self) -> Depth {
+        self.encoding.depth()
+    }
+
     /// What people know the place as.
     pub(super) fn name(&self) -> String {
         match &self.place {

@@ -1,6 +1,7 @@
 //! What is looked at: the settings that the command line puts in the place of the file's, and the part that is traced.
 
 use clap::{Args, ValueEnum};
+use scenec_measure::Tolerance;
 use scenec_picture::{Limits, Window};
 use scenec_scene::Scene;
 
@@ -29,10 +30,9 @@ pub(crate) struct ViewOptions {
     /// Drop a branch of a path when the most it could still add to its sample is below this; 0 never drops one
     #[arg(long, value_name = "X", default_value = "1/4096", value_parser = values::cutoff, allow_negative_numbers = true)]
     cutoff: f64,
-    /// The most rays, those towards lights aside, that one pixel may use
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.ray_budget,
-        value_parser = clap::value_parser!(u32).range(1..), allow_negative_numbers = true)]
-    ray_budget: u32,
+    /// The most rays, those towards lights aside, that one pixel may use: 65536 unless given, and 16777216 with --tolerance
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), allow_negative_numbers = true)]
+    ray_budget: Option<u32>,
 }
 
 /// What becomes of the operators.
@@ -84,7 +84,12 @@ impl ViewOptions {
     pub(crate) fn limits(&self) -> Limits {
         Limits {
             cutoff: self.cutoff,
-            ray_budget: self.ray_budget,
+            ray_budget: self.ray_budget.unwrap_or(Limits::DEFAULT.ray_budget),
         }
+    }
+
+    /// The most rays of a pixel that is to be within a tolerance.
+    pub(super) fn generous_budget(&self) -> u32 {
+        self.ray_budget.unwrap_or(Tolerance::RAY_BUDGET)
     }
 }
