@@ -49,7 +49,11 @@ const ROOMS: &[Room] = &[
     room("scenec-plan", &["scenec-text", "scenec-scene"], &["obvhs"]),
     room("scenec-picture", &[], &["image", "tempfile"]),
     room("scenec-reference", &["scenec-scene", "scenec-picture"], &[]),
-    room("scenec-cpu", &["scenec-plan", "scenec-picture"], &["rayon"]),
+    room(
+        "scenec-cpu",
+        &["scenec-plan", "scenec-picture"],
+        &["fearless_simd", "rayon"],
+    ),
     room("scenec-opencl-loader", &[], &["libloading"]),
     room("scenec-kernels", &[], &[]),
     room(

@@ -1,49 +1,72 @@
-//! One binary, fast everywhere: the tracer is compiled twice, and the copy that this processor can run is taken.
+//! One binary, fast everywhere: the tracer is compiled several times, and the copy that this processor runs best is taken.
 
-use std::ops::Range;
-
+use fearless_simd::{Level, Simd};
 use scenec_picture::Stats;
-use scenec_plan::{Packed, Real};
 
+use crate::bands::Tile;
+use crate::lanes::Lanes;
 use crate::pixel::{self, Pixel};
 use crate::refine::{Refined, Task};
+use crate::stage::{Prepared, Stage};
 
-/// Traces a run of the window's pixels, counted row by row.
-pub(crate) fn trace_run<R: Real>(
-    scene: &Packed<R>,
-    range: Range<usize>,
-    spread: bool,
-    pixels: &mut [Pixel<R>],
-) -> Stats {
-    #[cfg(target_arch = "x86_64")]
-    if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
-        #[allow(unsafe_code)]
-        // SAFETY: the function's only demand is that the processor has these features, which was just asked.
-        return unsafe { trace_run_fma(scene, range, spread, pixels) };
-    }
-    // Without the instruction a fused multiply-add is a call: slow, and the same bits.
-    pixel::trace_run(scene, range, spread, pixels)
+/// Runs something that is written over a stage with the widest vectors that there are. Where a processor has no fused
+/// multiply-add it is a call: slow, and the same bits.
+macro_rules! widest {
+    ($scene:expr, $stage:ident => $work:expr) => {{
+        let (scene, level) = ($scene, Level::new());
+        #[cfg(target_arch = "x86_64")]
+        if let Some(simd) = level.as_avx512() {
+            let $stage = Stage { scene, simd };
+            return simd.vectorize(#[inline(always)] || $work);
+        }
+        #[cfg(target_arch = "x86_64")]
+        if let Some(simd) = level.as_avx2() {
+            let $stage = Stage { scene, simd };
+            return simd.vectorize(#[inline(always)] || $work);
+        }
+        // Every other processor of this kind has the vectors of its first ones; the general way would compile the copies
+        // above once more.
+        #[cfg(target_arch = "x86_64")]
+        return level.as_sse2().map_or_else(Stats::default, |simd| {
+            let $stage = Stage { scene, simd };
+            simd.vectorize(#[inline(always)] || $work)
+        });
+        #[cfg(not(target_arch = "x86_64"))]
+        fearless_simd::dispatch!(level, simd => {
+            let $stage = Stage { scene, simd };
+            $work
+        })
+    }};
 }
 
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-fn trace_run_fma<R: Real>(scene: &Packed<R>, range: Range<usize>, spread: bool, pixels: &mut [Pixel<R>]) -> Stats {
-    pixel::trace_run(scene, range, spread, pixels)
+/// A number with tracers of its own. Implemented for each by hand, so that they are compiled here once and not wherever
+/// somebody asks for a picture.
+pub(crate) trait Traced: Lanes {
+    /// Traces a tile of the window's pixels, row by row.
+    fn trace_tile(scene: &Prepared<Self>, tile: &Tile, spread: bool, pixels: &mut [Pixel<Self>]) -> Stats;
+
+    /// Samples some of the window's pixels until each has enough.
+    fn refine_run(scene: &Prepared<Self>, task: &Task<'_>, first: usize, pixels: &mut [Refined]) -> Stats;
 }
 
-/// Samples some of the window's pixels until each has enough.
-pub(crate) fn refine_run<R: Real>(scene: &Packed<R>, task: &Task<'_>, first: usize, pixels: &mut [Refined]) -> Stats {
-    #[cfg(target_arch = "x86_64")]
-    if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
-        #[allow(unsafe_code)]
-        // SAFETY: the function's only demand is that the processor has these features, which was just asked.
-        return unsafe { refine_run_fma(scene, task, first, pixels) };
-    }
-    pixel::refine_run(scene, task, first, pixels)
+macro_rules! traced {
+    ($number:ty) => {
+        impl Traced for $number {
+            fn trace_tile(
+                scene: &Prepared<Self>,
+                tile: &Tile,
+                spread: bool,
+                pixels: &mut [Pixel<Self>],
+            ) -> Stats {
+                widest!(scene, stage => pixel::trace_tile(stage, tile, spread, pixels))
+            }
+
+            fn refine_run(scene: &Prepared<Self>, task: &Task<'_>, first: usize, pixels: &mut [Refined]) -> Stats {
+                widest!(scene, stage => pixel::refine_run(stage, task, first, pixels))
+            }
+        }
+    };
 }
 
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-fn refine_run_fma<R: Real>(scene: &Packed<R>, task: &Task<'_>, first: usize, pixels: &mut [Refined]) -> Stats {
-    pixel::refine_run(scene, task, first, pixels)
-}
+traced!(f32);
+traced!(f64);

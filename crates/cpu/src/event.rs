@@ -36,6 +36,12 @@ pub(crate) fn entered<R: Real>(
     let Some(leaf) = lone(scene, island) else {
         return change(scene, island, ray, (R::ZERO, until), false, intervals).0;
     };
+    entered_leaf(scene, leaf, ray, until)
+}
+
+/// The same of an island that is one leaf.
+#[inline(always)]
+pub(crate) fn entered_leaf<R: Real>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>, until: R) -> Option<Hit<R>> {
     let (enter, leave) = leaf_interval(scene, leaf, ray);
     if enter <= R::ZERO {
         // A ray from outside that starts within, by rounding: see `crease`.
@@ -62,26 +68,32 @@ pub(crate) fn left<R: Real>(
     from: R,
     intervals: &mut Vec<Interval<R>>,
 ) -> Option<Hit<R>> {
-    let endless = |leaf: u32| Hit {
-        distance: R::INFINITY,
-        leaf,
-        leaving: true,
-    };
     if let Some(leaf) = lone(scene, island) {
-        let (enter, leave) = leaf_interval(scene, leaf, ray);
-        return (enter <= from && from < leave).then_some(Hit {
-            distance: leave,
-            ..endless(leaf)
-        });
+        return left_leaf(scene, leaf, ray, from);
     }
     let (hit, held) = change(scene, island, ray, (from, R::INFINITY), true, intervals);
-    let first = scene.members[island.members as usize];
-    held.then(|| hit.unwrap_or(endless(first)))
+    let endless = Hit {
+        distance: R::INFINITY,
+        leaf: scene.members[island.members as usize],
+        leaving: true,
+    };
+    held.then(|| hit.unwrap_or(endless))
+}
+
+/// The same of an island that is one leaf.
+#[inline(always)]
+pub(crate) fn left_leaf<R: Real>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>, from: R) -> Option<Hit<R>> {
+    let (enter, leave) = leaf_interval(scene, leaf, ray);
+    (enter <= from && from < leave).then_some(Hit {
+        distance: leave,
+        leaf,
+        leaving: true,
+    })
 }
 
 /// The leaf of an island that is nothing else, as most islands are.
 #[inline(always)]
-fn lone<R>(scene: &Packed<R>, island: &Island) -> Option<u32> {
+pub(crate) fn lone<R>(scene: &Packed<R>, island: &Island) -> Option<u32> {
     // A complement stands under an operation of its own.
     let alone = island.program_end - island.program == 1 && scene.program[island.program as usize] == 0;
     alone.then(|| scene.members[island.members as usize])

@@ -1,199 +1,260 @@
 //! Where a ray crosses the surface of the whole solid, the union of all islands.
 
-use std::ops::Range;
+use fearless_simd::Simd;
+use scenec_plan::packed_structs::Island;
 
-use scenec_plan::packed_structs::{Island, Node};
-use scenec_plan::{HIERARCHY_DEPTH, Packed, Real};
-
-use crate::event::{Hit, entered, left};
+use crate::balls::Line;
+use crate::event::{Hit, entered, entered_leaf, left, left_leaf};
+use crate::lanes::{Lanes, Set};
 use crate::ray::Ray;
 use crate::shape::Interval;
-use crate::vector::Vector;
+use crate::stage::Stage;
+use crate::walk::{Visitor, Waiting, walk};
+use crate::wide::Block;
 
 /// Room that one thread uses again and again.
 pub(crate) struct Scratch<R> {
     /// The intervals of one island's members along one ray.
     intervals: Vec<Interval<R>>,
-    /// Nodes that wait, each with the distance at which the ray enters it.
-    waiting: Vec<(R, u32)>,
+    /// What waits on a way through the hierarchy.
+    waiting: Waiting<R>,
 }
 
 impl<R> Scratch<R> {
     pub(crate) fn new() -> Self {
         Self {
             intervals: Vec::new(),
-            waiting: Vec::with_capacity(HIERARCHY_DEPTH),
+            waiting: Vec::with_capacity(64),
         }
     }
 }
 
 /// The first crossing of the solid's surface.
 #[inline(always)]
-pub(crate) fn first<R: Real>(scene: &Packed<R>, ray: &Ray<R>, scratch: &mut Scratch<R>) -> Option<Hit<R>> {
+pub(crate) fn first<R: Lanes, S: Simd>(
+    stage: Stage<'_, R, S>,
+    ray: &Ray<R>,
+    scratch: &mut Scratch<R>,
+) -> Option<Hit<R>> {
     if ray.inside {
-        leave(scene, ray, scratch)
+        leave(stage, ray, scratch)
     } else {
-        enter(scene, ray, scratch)
+        enter(stage, ray, scratch)
     }
 }
 
 /// Whether the ray crosses the surface before `until`.
 #[inline(always)]
-pub(crate) fn blocked<R: Real>(scene: &Packed<R>, ray: &Ray<R>, until: R, scratch: &mut Scratch<R>) -> bool {
+pub(crate) fn blocked<R: Lanes, S: Simd>(
+    stage: Stage<'_, R, S>,
+    ray: &Ray<R>,
+    until: R,
+    scratch: &mut Scratch<R>,
+) -> bool {
     if ray.inside {
-        return leave(scene, ray, scratch).is_some_and(|hit| hit.distance < until);
+        return leave(stage, ray, scratch).is_some_and(|hit| hit.distance < until);
     }
-    let mut cursor = Cursor::new(scene, ray, R::ZERO, until, &mut scratch.waiting);
-    while let Some(island) = cursor.next() {
-        if let Some(hit) = entered(scene, island, ray, until, &mut scratch.intervals)
-            && hit.distance < until
-        {
-            return true;
-        }
-    }
-    false
+    let mut any = Any {
+        stage,
+        ray,
+        intervals: &mut scratch.intervals,
+        until,
+        found: false,
+    };
+    walk(stage, ray, R::ZERO, &mut scratch.waiting, &mut any);
+    any.found
 }
 
 /// From outside: a union is entered where the first of its parts is; of two at the same distance the left one owns.
 #[inline(always)]
-fn enter<R: Real>(scene: &Packed<R>, ray: &Ray<R>, scratch: &mut Scratch<R>) -> Option<Hit<R>> {
-    let mut nearest: Option<Hit<R>> = None;
-    let mut cursor = Cursor::new(scene, ray, R::ZERO, R::INFINITY, &mut scratch.waiting);
-    while let Some(island) = cursor.next() {
-        if let Some(hit) = entered(scene, island, ray, cursor.until, &mut scratch.intervals)
-            && nearest.is_none_or(|best| (hit.distance, hit.leaf) < (best.distance, best.leaf))
-        {
-            cursor.until = hit.distance;
-            nearest = Some(hit);
-        }
-    }
-    nearest
+fn enter<R: Lanes, S: Simd>(stage: Stage<'_, R, S>, ray: &Ray<R>, scratch: &mut Scratch<R>) -> Option<Hit<R>> {
+    let mut nearest = Nearest {
+        stage,
+        ray,
+        intervals: &mut scratch.intervals,
+        until: R::INFINITY,
+        hit: None,
+    };
+    walk(stage, ray, R::ZERO, &mut scratch.waiting, &mut nearest);
+    nearest.hit
 }
 
 /// From inside: a union is left where a point is reached that no part holds. Each round goes to the farthest end among
 /// the parts that hold the point reached so far.
-#[inline(always)]
-fn leave<R: Real>(scene: &Packed<R>, ray: &Ray<R>, scratch: &mut Scratch<R>) -> Option<Hit<R>> {
-    let mut at = R::ZERO;
-    let mut reached: Option<Hit<R>> = None;
-    loop {
-        let mut farthest: Option<Hit<R>> = None;
-        let mut cursor = Cursor::new(scene, ray, at, at, &mut scratch.waiting);
-        while let Some(island) = cursor.next() {
-            let Some(hit) = left(scene, island, ray, at, &mut scratch.intervals) else {
-                continue;
-            };
-            if hit.distance == R::INFINITY {
-                return None;
+// A function of its own, not a part of every place that asks: few rays come here.
+#[inline(never)]
+fn leave<R: Lanes, S: Simd>(stage: Stage<'_, R, S>, ray: &Ray<R>, scratch: &mut Scratch<R>) -> Option<Hit<R>> {
+    stage.simd.vectorize(
+        #[inline(always)]
+        || {
+            let mut reached: Option<Hit<R>> = None;
+            loop {
+                let at = reached.map_or(R::ZERO, |hit| hit.distance);
+                let mut farthest = Farthest {
+                    stage,
+                    ray,
+                    intervals: &mut scratch.intervals,
+                    at,
+                    hit: None,
+                };
+                walk(stage, ray, at, &mut scratch.waiting, &mut farthest);
+                reached = match (farthest.hit, reached) {
+                    (Some(hit), _) if hit.distance == R::INFINITY => return None,
+                    (Some(hit), _) => Some(hit),
+                    (None, Some(hit)) => return Some(hit),
+                    // No part holds the start, which lies within rounding of the surface: on to where the solid begins.
+                    (None, None) => Some(enter(stage, ray, scratch)?),
+                };
             }
-            if farthest.is_none_or(|best| (best.distance, hit.leaf) < (hit.distance, best.leaf)) {
-                farthest = Some(hit);
-            }
-        }
-        reached = match (farthest, reached) {
-            (Some(hit), _) => Some(hit),
-            (None, Some(hit)) => return Some(hit),
-            // No part holds the start, which lies within rounding of the surface: on to where the solid begins.
-            (None, None) => Some(enter(scene, ray, scratch)?),
-        };
-        at = reached.map_or(at, |hit| hit.distance);
-    }
+        },
+    )
 }
 
-/// Hands out the islands whose box the ray meets between `from` and `until`, near ones first; its user may lower `until`
-/// on the way.
-struct Cursor<'a, R> {
-    scene: &'a Packed<R>,
-    origin: Vector<R>,
-    inverse: Vector<R>,
-    from: R,
+/// Keeps the first entry.
+struct Nearest<'a, R, S> {
+    stage: Stage<'a, R, S>,
+    ray: &'a Ray<R>,
+    intervals: &'a mut Vec<Interval<R>>,
     until: R,
-    /// The islands that come next.
-    islands: Range<u32>,
-    waiting: &'a mut Vec<(R, u32)>,
+    hit: Option<Hit<R>>,
 }
 
-impl<'a, R: Real> Cursor<'a, R> {
+impl<R: Lanes, S: Simd> Nearest<'_, R, S> {
     #[inline(always)]
-    fn new(scene: &'a Packed<R>, ray: &Ray<R>, from: R, until: R, waiting: &'a mut Vec<(R, u32)>) -> Self {
-        waiting.clear();
-        let [x, y, z] = ray.direction;
-        let cursor = Self {
-            scene,
-            origin: ray.origin,
-            inverse: [R::ONE / x, R::ONE / y, R::ONE / z],
-            from,
-            until,
-            islands: 0..scene.frame.linear,
-            waiting,
-        };
-        if let Some(root) = scene.nodes.first()
-            && let Some(entry) = cursor.meets(root)
+    fn keep(&mut self, hit: Hit<R>) {
+        if self
+            .hit
+            .is_none_or(|best| (hit.distance, hit.leaf) < (best.distance, best.leaf))
         {
-            cursor.waiting.push((entry, 0));
+            self.until = hit.distance;
+            self.hit = Some(hit);
         }
-        cursor
-    }
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<&'a Island> {
-        while self.islands.is_empty() {
-            let (entry, index) = self.waiting.pop()?;
-            // `until` may have come nearer since the node was put aside.
-            if entry <= self.until * slack() {
-                self.descend(index);
-            }
-        }
-        let index = self.islands.start;
-        self.islands.start += 1;
-        self.scene.islands.get(index as usize)
-    }
-
-    /// Goes down to the nearest leaf below a node and puts the farther children aside.
-    #[inline(always)]
-    fn descend(&mut self, index: u32) {
-        let mut node = &self.scene.nodes[index as usize];
-        while node.count == 0 {
-            let (a, b) = (node.first, node.first + 1);
-            let (near, far) = match (self.meets_child(a), self.meets_child(b)) {
-                (Some(x), Some(y)) if y < x => (b, Some((x, a))),
-                (Some(_), Some(y)) => (a, Some((y, b))),
-                (Some(_), None) => (a, None),
-                (None, Some(_)) => (b, None),
-                (None, None) => return,
-            };
-            if let Some(far) = far {
-                self.waiting.push(far);
-            }
-            node = &self.scene.nodes[near as usize];
-        }
-        self.islands = node.first..node.first + node.count;
-    }
-
-    #[inline(always)]
-    fn meets_child(&self, index: u32) -> Option<R> {
-        self.meets(&self.scene.nodes[index as usize])
-    }
-
-    /// Where the ray enters the node's box, if it is in it somewhere between `from` and `until`. A component of the
-    /// direction that is 0 gives infinities, or a NaN that `min` and `max` pass over.
-    #[inline(always)]
-    fn meets(&self, node: &Node) -> Option<R> {
-        let (mut near, mut far) = (-R::INFINITY, R::INFINITY);
-        for axis in 0..3 {
-            let low = (R::of_f32(node.low[axis]) - self.origin[axis]) * self.inverse[axis];
-            let high = (R::of_f32(node.high[axis]) - self.origin[axis]) * self.inverse[axis];
-            near = near.max(low.min(high));
-            far = far.min(low.max(high));
-        }
-        let far = far * slack();
-        (near <= far && near <= self.until * slack() && far >= self.from).then_some(near)
     }
 }
 
-/// 1 + 2 gamma(3), rounded up: what the three roundings of a box distance can be worth (Ize 2013).
-#[inline(always)]
-fn slack<R: Real>() -> R {
-    let eight = R::TWO * R::TWO * R::TWO;
-    R::ONE + eight * R::ROUNDOFF
+impl<R: Lanes, S: Simd> Visitor<R, S> for Nearest<'_, R, S> {
+    const NEAR_FIRST: bool = true;
+
+    #[inline(always)]
+    fn until(&self) -> R {
+        self.until
+    }
+
+    #[inline(always)]
+    fn block(&mut self, line: &Line<R, S>, block: &Block<R>) -> bool {
+        if let Some(entries) = block.entries(line, self.ray, self.until) {
+            for lane in entries.lanes {
+                self.keep(Hit {
+                    distance: entries.distance[lane],
+                    leaf: block.leaf[lane],
+                    leaving: false,
+                });
+            }
+        }
+        false
+    }
+
+    #[inline(always)]
+    fn island(&mut self, island: &Island) -> bool {
+        if let Some(hit) = entered(self.stage.scene, island, self.ray, self.until, self.intervals) {
+            self.keep(hit);
+        }
+        false
+    }
+}
+
+/// Stops at any entry.
+struct Any<'a, R, S> {
+    stage: Stage<'a, R, S>,
+    ray: &'a Ray<R>,
+    intervals: &'a mut Vec<Interval<R>>,
+    until: R,
+    found: bool,
+}
+
+impl<R: Lanes, S: Simd> Visitor<R, S> for Any<'_, R, S> {
+    const NEAR_FIRST: bool = false;
+
+    #[inline(always)]
+    fn until(&self) -> R {
+        self.until
+    }
+
+    #[inline(always)]
+    fn block(&mut self, line: &Line<R, S>, block: &Block<R>) -> bool {
+        let until = self.until;
+        if self.ray.end.is_touching() {
+            // What is known of the light decides there, whatever the numbers say.
+            for lane in Set(block.there) {
+                let hit = entered_leaf(self.stage.scene, block.leaf[lane], self.ray, until);
+                self.found = self.found || hit.is_some_and(|hit| hit.distance < until);
+            }
+        } else if let Some(entries) = block.entries(line, self.ray, until) {
+            for lane in entries.lanes {
+                self.found = self.found || entries.distance[lane] < until;
+            }
+        }
+        self.found
+    }
+
+    #[inline(always)]
+    fn island(&mut self, island: &Island) -> bool {
+        let hit = entered(self.stage.scene, island, self.ray, self.until, self.intervals);
+        self.found = hit.is_some_and(|hit| hit.distance < self.until);
+        self.found
+    }
+}
+
+/// Keeps the last end among the parts that hold a point of the ray.
+struct Farthest<'a, R, S> {
+    stage: Stage<'a, R, S>,
+    ray: &'a Ray<R>,
+    intervals: &'a mut Vec<Interval<R>>,
+    at: R,
+    hit: Option<Hit<R>>,
+}
+
+impl<R: Lanes, S: Simd> Farthest<'_, R, S> {
+    /// Whether there is no end at all, so that no other matters.
+    #[inline(always)]
+    fn keep(&mut self, hit: Option<Hit<R>>) -> bool {
+        if let Some(hit) = hit
+            && self
+                .hit
+                .is_none_or(|best| (best.distance, hit.leaf) < (hit.distance, best.leaf))
+        {
+            self.hit = Some(hit);
+        }
+        hit.is_some_and(|hit| hit.distance == R::INFINITY)
+    }
+}
+
+impl<R: Lanes, S: Simd> Visitor<R, S> for Farthest<'_, R, S> {
+    const NEAR_FIRST: bool = false;
+
+    #[inline(always)]
+    fn until(&self) -> R {
+        self.at
+    }
+
+    #[inline(always)]
+    fn block(&mut self, line: &Line<R, S>, block: &Block<R>) -> bool {
+        // The same of the light, and of the ball that the ray starts on.
+        let lanes = if self.ray.end.is_touching() {
+            block.there
+        } else {
+            block.near(line).0 | block.of_class(self.ray.class) & block.there
+        };
+        let mut enough = false;
+        for lane in Set(lanes) {
+            enough = enough || self.keep(left_leaf(self.stage.scene, block.leaf[lane], self.ray, self.at));
+        }
+        enough
+    }
+
+    #[inline(always)]
+    fn island(&mut self, island: &Island) -> bool {
+        let hit = left(self.stage.scene, island, self.ray, self.at, self.intervals);
+        self.keep(hit)
+    }
 }

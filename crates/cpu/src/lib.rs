@@ -2,10 +2,13 @@
 //!
 //! It must not know OpenCL or the scene model. The kernels of the device tracer follow the same algorithm step by step.
 
+mod balls;
+mod bands;
 mod crossings;
 mod dispatch;
 mod event;
 mod hierarchy;
+mod lanes;
 mod path;
 mod pixel;
 mod ray;
@@ -13,30 +16,31 @@ mod refine;
 mod sampled;
 mod shade;
 mod shape;
+mod stage;
 mod vector;
-
-use std::ops::Range;
+mod walk;
+mod wide;
 
 use rayon::ThreadPool;
 use rayon::prelude::*;
-use scenec_picture::{Exact, Frame, NOTHING, Picture, Request, Spread, Stats, TraceError, Tracer};
-use scenec_plan::{Packed, Plan, Real, in_doubles, in_singles};
+use scenec_picture::{Frame, NOTHING, Picture, Request, Spread, Stats, TraceError, Tracer};
+use scenec_plan::Plan;
 
+use bands::{Band, Layers, bands};
+use dispatch::Traced;
 use pixel::Pixel;
 pub use refine::{Refined, Task};
 pub use sampled::Sampled;
-
-/// A picture is handed to threads in runs of pixels of about this many samples, so that progress and a stop are noticed
-/// soon and yet handing out costs nothing.
-const RUN_SAMPLES: usize = 1024;
+use stage::Prepared;
 
 /// Traces one plan in the precision `R`.
 pub struct Cpu<R> {
-    scene: Packed<R>,
+    scene: Prepared<R>,
     threads: ThreadPool,
 }
 
-impl<R: Real> Cpu<R> {
+#[allow(private_bounds, reason = "f32 and f64 are all such numbers that there are")]
+impl<R: Traced> Cpu<R> {
     /// A tracer for a plan; `threads` = 0 takes as many as the machine has.
     ///
     /// # Errors
@@ -47,14 +51,14 @@ impl<R: Real> Cpu<R> {
             .build()
             .map_err(|error| TraceError::Failed(format!("no threads to trace on: {error}")))?;
         Ok(Self {
-            scene: plan.packed(),
+            scene: Prepared::new(plan),
             threads,
         })
     }
 
     /// Traces another plan from here on, on the same threads.
     pub fn show(&mut self, plan: &Plan) {
-        self.scene = plan.packed();
+        self.scene = Prepared::new(plan);
     }
 
     /// Divides what the camera sees into other columns and rows, and a pixel into other sample points (measured from
@@ -67,7 +71,8 @@ impl<R: Real> Cpu<R> {
     }
 }
 
-impl<R: Real> Tracer for Cpu<R> {
+#[allow(private_bounds, reason = "as above")]
+impl<R: Traced> Tracer for Cpu<R> {
     fn name(&self) -> String {
         let threads = self.threads.current_num_threads();
         format!(
@@ -90,20 +95,21 @@ impl<R: Real> Tracer for Cpu<R> {
         self.scene.frame.ask(corner, size, limits.cutoff, limits.ray_budget);
 
         let scene = &self.scene;
-        let run = (RUN_SAMPLES / scene.samples.len().max(1)).max(1);
-        let runs = runs(run, picture.pixels_mut(), ids.as_mut(), exact.as_mut(), spread.as_mut());
+        let layers = Layers {
+            ids: ids.as_mut(),
+            exact: exact.as_mut(),
+            spread: spread.as_mut(),
+        };
+        let bands = bands(
+            &mut picture,
+            layers,
+            self.threads.current_num_threads(),
+            scene.samples.len(),
+        );
         let stats = self.threads.install(|| {
-            runs.into_par_iter()
-                .map(|run| {
-                    if request.watch.stopped() {
-                        return None;
-                    }
-                    let mut pixels = vec![Pixel::default(); run.picture.len()];
-                    let stats = dispatch::trace_run(scene, run.range.clone(), request.layers.spread, &mut pixels);
-                    run.store(&pixels);
-                    request.watch.advance(pixels.len() as u64);
-                    Some(stats)
-                })
+            bands
+                .into_par_iter()
+                .map(|band| trace_band(scene, request, band))
                 .try_reduce(Stats::default, |a, b| Some(a.merge(b)))
         });
         let stats = stats.ok_or(TraceError::Cancelled)?;
@@ -118,51 +124,19 @@ impl<R: Real> Tracer for Cpu<R> {
     }
 }
 
-/// A run of pixels and where they go.
-struct Run<'a> {
-    range: Range<usize>,
-    picture: &'a mut [[f32; 3]],
-    ids: Option<&'a mut [u32]>,
-    exact: Option<&'a mut [[f64; 3]]>,
-    spread: Option<&'a mut [Spread]>,
-}
-
-fn runs<'a>(
-    run: usize,
-    picture: &'a mut [[f32; 3]],
-    ids: Option<&'a mut Vec<u32>>,
-    exact: Option<&'a mut Exact>,
-    spread: Option<&'a mut Vec<Spread>>,
-) -> Vec<Run<'a>> {
-    let mut ids = ids.map(|ids| ids.chunks_mut(run));
-    let mut exact = exact.map(|exact| exact.chunks_mut(run));
-    let mut spread = spread.map(|spread| spread.chunks_mut(run));
-    picture
-        .chunks_mut(run)
-        .enumerate()
-        .map(|(i, picture)| Run {
-            range: i * run..i * run + picture.len(),
-            picture,
-            ids: ids.as_mut().and_then(Iterator::next),
-            exact: exact.as_mut().and_then(Iterator::next),
-            spread: spread.as_mut().and_then(Iterator::next),
-        })
-        .collect()
-}
-
-impl Run<'_> {
-    fn store<R: Real>(self, pixels: &[Pixel<R>]) {
-        for (to, pixel) in self.picture.iter_mut().zip(pixels) {
-            *to = in_singles(pixel.colour);
+/// Traces a band tile by tile; nothing if it was stopped.
+fn trace_band<R: Traced>(scene: &Prepared<R>, request: &Request<'_>, mut band: Band<'_>) -> Option<Stats> {
+    let mut stats = Stats::default();
+    let mut pixels = Vec::new();
+    for tile in band.tiles() {
+        if request.watch.stopped() {
+            return None;
         }
-        for (to, pixel) in self.ids.into_iter().flatten().zip(pixels) {
-            *to = pixel.solid;
-        }
-        for (to, pixel) in self.exact.into_iter().flatten().zip(pixels) {
-            *to = in_doubles(pixel.colour);
-        }
-        for (to, pixel) in self.spread.into_iter().flatten().zip(pixels) {
-            *to = pixel.spread;
-        }
+        pixels.clear();
+        pixels.resize(tile.pixels(), Pixel::default());
+        stats = stats.merge(R::trace_tile(scene, &tile, request.layers.spread, &mut pixels));
+        band.store(&tile, &pixels);
+        request.watch.advance(pixels.len() as u64);
     }
+    Some(stats)
 }

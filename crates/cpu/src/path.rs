@@ -1,14 +1,17 @@
 //! The tree of rays behind one sample: Whitted's recursion (1980) as a loop over a bounded stack.
 
+use fearless_simd::Simd;
 use scenec_picture::{NOTHING, Stats};
+use scenec_plan::Real;
 use scenec_plan::packed_structs::Material;
-use scenec_plan::{Packed, Real};
 
 use crate::event::Hit;
 use crate::hierarchy::{self, Scratch};
+use crate::lanes::Lanes;
 use crate::ray::Ray;
 use crate::shade;
 use crate::shape::contact;
+use crate::stage::Stage;
 use crate::vector::{Vector, dot, fma, neg, normalize, scale};
 
 /// A ray that waits for its turn.
@@ -67,15 +70,15 @@ impl Tally {
 }
 
 /// Follows paths; one a thread, since it keeps its room.
-pub(crate) struct Walker<'a, R> {
-    scene: &'a Packed<R>,
+pub(crate) struct Walker<'a, R, S> {
+    scene: Stage<'a, R, S>,
     scratch: Scratch<R>,
     waiting: Vec<Branch<R>>,
     pub(crate) tally: Tally,
 }
 
-impl<'a, R: Real> Walker<'a, R> {
-    pub(crate) fn new(scene: &'a Packed<R>) -> Self {
+impl<'a, R: Lanes, S: Simd> Walker<'a, R, S> {
+    pub(crate) fn new(scene: Stage<'a, R, S>) -> Self {
         Self {
             scene,
             scratch: Scratch::new(),
@@ -101,7 +104,7 @@ impl<'a, R: Real> Walker<'a, R> {
             ));
             let next = match hit {
                 None => {
-                    let sky = shade::background(self.scene, branch.ray.direction);
+                    let sky = shade::background(&self.scene, branch.ray.direction);
                     colour = fma(sky, branch.weight, colour);
                     None
                 }
@@ -164,7 +167,7 @@ impl<'a, R: Real> Walker<'a, R> {
         let bounces = parent.bounces - 1;
         let most = weight.abs() * self.scene.reach[bounces as usize];
         if most < self.scene.frame.cutoff && most <= spent.spare {
-            spent.spare = spent.spare - most;
+            spent.spare -= most;
             spent.dropped += most;
             return None;
         }

@@ -1,15 +1,17 @@
 //! From a pixel to its rays and back to one colour.
 
-use std::ops::Range;
-
+use fearless_simd::Simd;
 use scenec_picture::{NOTHING, Spread, Stats};
 use scenec_plan::packed_structs::Frame;
-use scenec_plan::{Packed, Real, in_doubles};
+use scenec_plan::{Real, in_doubles};
 
+use crate::bands::Tile;
+use crate::lanes::Lanes;
 use crate::path::{Spent, Walker};
 use crate::ray::{End, Ray};
 use crate::refine::{Refined, Task};
 use crate::sampled::Sampled;
+use crate::stage::Stage;
 use crate::vector::{Vector, dot, fma, neg, normalize, scale};
 
 /// A traced pixel.
@@ -33,22 +35,24 @@ impl<R: Real> Default for Pixel<R> {
     }
 }
 
-/// Traces the pixels with these numbers, counted row by row within the window; `spread` tells whether anybody asks how
+/// Traces the pixels of a tile of the window, row by row; `spread` tells whether anybody asks how
 /// far their samples are apart.
 #[inline(always)]
-pub(crate) fn trace_run<R: Real>(
-    scene: &Packed<R>,
-    range: Range<usize>,
+pub(crate) fn trace_tile<R: Lanes, S: Simd>(
+    scene: Stage<'_, R, S>,
+    tile: &Tile,
     spread: bool,
     pixels: &mut [Pixel<R>],
 ) -> Stats {
     let mut walker = Walker::new(scene);
     let mut stats = Stats::default();
-    let columns = scene.frame.window_width as usize;
     let share = R::ONE / R::of(f64::from(scene.frame.samples));
-    for (number, pixel) in range.zip(pixels) {
-        let column = scene.frame.window_x + (number % columns) as u32;
-        let row = scene.frame.window_y + (number / columns) as u32;
+    let places = tile
+        .rows
+        .clone()
+        .flat_map(|row| tile.columns.clone().map(move |column| (column, row)));
+    for ((column, row), pixel) in places.zip(pixels) {
+        let (column, row) = (scene.frame.window_x + column, scene.frame.window_y + row);
         let mut spent = Spent::new(R::INFINITY);
         let mut sampled = spread.then(Sampled::default);
         let mut sum = [R::ZERO; 3];
@@ -86,7 +90,12 @@ pub(crate) fn trace_run<R: Real>(
 
 /// Samples each pixel of the task until it has enough, at one of the stops, or the points or the rays run out.
 #[inline(always)]
-pub(crate) fn refine_run<R: Real>(scene: &Packed<R>, task: &Task<'_>, first: usize, pixels: &mut [Refined]) -> Stats {
+pub(crate) fn refine_run<R: Lanes, S: Simd>(
+    scene: Stage<'_, R, S>,
+    task: &Task<'_>,
+    first: usize,
+    pixels: &mut [Refined],
+) -> Stats {
     let mut walker = Walker::new(scene);
     let mut stats = Stats::default();
     let columns = scene.frame.window_width as usize;

@@ -42,4 +42,10 @@ impl<R: Real> End<R> {
         touches: 0,
         touches_end: 0,
     };
+
+    /// Whether it lies on a surface.
+    #[inline(always)]
+    pub(crate) const fn is_touching(&self) -> bool {
+        self.touches != self.touches_end
+    }
 }

@@ -4,10 +4,10 @@ use std::fmt;
 
 use rayon::prelude::*;
 use scenec_picture::{Limits, Spread, Stats, TraceError, Watch, Window};
-use scenec_plan::Real;
 
+use crate::Cpu;
+use crate::dispatch::Traced;
 use crate::sampled::Sampled;
-use crate::{Cpu, dispatch};
 
 /// A thread takes this many pixels at a time: few, for one of them may need thousands of samples.
 const RUN: usize = 8;
@@ -42,7 +42,8 @@ pub struct Refined {
     pub spread: Spread,
 }
 
-impl<R: Real> Cpu<R> {
+#[allow(private_bounds, reason = "f32 and f64 are all such numbers that there are")]
+impl<R: Traced> Cpu<R> {
     /// Samples some pixels of a window, each until it has enough or has had all of the tracer's sample points or its
     /// budget of rays. A pixel has the same samples whichever others are asked for.
     ///
@@ -60,7 +61,7 @@ impl<R: Real> Cpu<R> {
         let scene = &self.scene;
         let mut refined = vec![Refined::default(); task.pixels.len()];
         let run = |(number, pixels): (usize, &mut [Refined])| {
-            let stats = (!watch.stopped()).then(|| dispatch::refine_run(scene, task, number * RUN, pixels));
+            let stats = (!watch.stopped()).then(|| R::refine_run(scene, task, number * RUN, pixels));
             stats.filter(|_| !watch.stopped())
         };
         let stats = self.threads.install(|| {

@@ -1,17 +1,20 @@
 //! What a surface sends towards the ray by itself: Phong's model (1975) with shadows, and the sky.
 
+use fearless_simd::Simd;
 use scenec_plan::packed_structs::{Light, Material};
 use scenec_plan::{Packed, Real};
 
 use crate::hierarchy::{Scratch, blocked};
+use crate::lanes::Lanes;
 use crate::ray::{End, Ray};
 use crate::shape::Contact;
+use crate::stage::Stage;
 use crate::vector::{Vector, dot, fma, scale, sub};
 
 /// Ambient, diffuse and highlights at a contact of `ray`; counts the rays towards lights.
 #[inline(always)]
-pub(crate) fn local<R: Real>(
-    scene: &Packed<R>,
+pub(crate) fn local<R: Lanes, S: Simd>(
+    scene: Stage<'_, R, S>,
     material: &Material<R>,
     ray: &Ray<R>,
     contact: &Contact<R>,
