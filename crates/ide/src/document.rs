@@ -3,9 +3,9 @@
 use std::sync::OnceLock;
 
 use scenec_interpret::{Interpretation, Occurrence};
-use scenec_lint::{Checked, check_lines};
+use scenec_lint::{Checked, check_keeping_lines};
 use scenec_scene::Scene;
-use scenec_syntax::{Line, parse};
+use scenec_syntax::Line;
 use scenec_text::{Diagnostic, SourceFile};
 
 use crate::facts::Facts;
@@ -16,8 +16,8 @@ pub struct Document {
     source: SourceFile,
     lines: Vec<Line>,
     checked: Checked,
-    /// Those of the symbol table, spread out: features look into the middle of them.
-    occurrences: Vec<Occurrence>,
+    /// Those of the symbol table, spread out when first asked for: features look into the middle of them.
+    occurrences: OnceLock<Vec<Occurrence>>,
     facts: OnceLock<Facts>,
 }
 
@@ -25,14 +25,12 @@ impl Document {
     /// Takes a text through all stages.
     #[must_use]
     pub fn new(source: SourceFile) -> Self {
-        let (lines, findings) = parse(&source);
-        let checked = check_lines(&source, &lines, findings);
-        let occurrences = checked.interpretation.symbols.occurrences().collect();
+        let (lines, checked) = check_keeping_lines(&source);
         Self {
             source,
             lines,
             checked,
-            occurrences,
+            occurrences: OnceLock::new(),
             facts: OnceLock::new(),
         }
     }
@@ -64,7 +62,8 @@ impl Document {
     /// Every place where a name stands, in the order of the text.
     #[must_use]
     pub fn occurrences(&self) -> &[Occurrence] {
-        &self.occurrences
+        let all = || self.interpretation().symbols.occurrences().collect();
+        self.occurrences.get_or_init(all)
     }
 
     /// The scene; `None` while the text has an error.

@@ -4,7 +4,7 @@ use std::borrow::Borrow;
 
 use scenec_scene::{Light, Material, Scene, Settings, Steps};
 use scenec_syntax::{Content, Line, read_ahead};
-use scenec_text::{Diagnostic, SourceFile};
+use scenec_text::{Diagnostic, SourceFile, Span};
 
 use crate::state::State;
 use crate::{SymbolTable, finish, statements};
@@ -33,28 +33,57 @@ pub struct Fragments {
     pub steps: Steps,
 }
 
-/// Interprets the lines of `source`, as [`scenec_syntax::Lines`] reads them one after the other or a list holds them. The findings are ordered by place; what a broken line or a bad
-/// byte caused has been reported and is passed over.
+/// Interprets a file one line after the other.
+pub struct Interpreter<'a> {
+    source: &'a SourceFile,
+    state: State<'a>,
+    /// The last line so far, its comment included.
+    end: Option<Span>,
+}
+
+impl<'a> Interpreter<'a> {
+    /// Before the first line.
+    #[must_use]
+    pub fn new(source: &'a SourceFile) -> Self {
+        Self {
+            source,
+            state: State::new(source.text()),
+            end: None,
+        }
+    }
+
+    /// Takes the next line, as [`scenec_syntax::Lines`] reads it.
+    pub fn line(&mut self, line: &Line) {
+        self.end = Some(line.comment.map_or(line.span, |comment| line.span.to(comment)));
+        match &line.content {
+            Content::Comment => {}
+            Content::Statement(statement) => statements::run(&mut self.state, line.span, statement),
+            Content::Broken(broken) => statements::broken(&mut self.state, line.span, broken),
+        }
+    }
+
+    /// What all lines together mean. The findings are ordered by place; what a broken line or a bad byte caused has been
+    /// reported and is passed over.
+    #[must_use]
+    pub fn finish(mut self) -> (Interpretation, Vec<Diagnostic>) {
+        self.state.failed |= !self.source.holes().is_empty();
+        finish::finish(self.state, self.end)
+    }
+}
+
+/// Interprets all lines of `source`, in their order.
 #[must_use]
 pub fn interpret<L: Borrow<Line>>(
     source: &SourceFile,
     lines: impl IntoIterator<Item = L>,
 ) -> (Interpretation, Vec<Diagnostic>) {
-    let mut state = State::new(source.text());
-    let mut end = None;
+    let mut interpreter = Interpreter::new(source);
     let mut lines = lines.into_iter();
     // A line is looked at where it lies: to move it takes time.
     while let Some(line) = &lines.next() {
-        let line = line.borrow();
-        end = Some(line.comment.map_or(line.span, |comment| line.span.to(comment)));
-        match &line.content {
-            Content::Comment => {}
-            Content::Statement(statement) => statements::run(&mut state, line.span, statement),
-            Content::Broken(broken) => statements::broken(&mut state, line.span, broken),
-        }
+        interpreter.line(line.borrow());
     }
-    state.failed |= !source.holes().is_empty();
-    finish::finish(state, end)
+    interpreter.finish()
 }
 
 /// Parses and interprets a file. The findings of both stages come in one list, ordered by place.

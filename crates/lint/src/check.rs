@@ -3,14 +3,14 @@
 use std::panic::resume_unwind;
 use std::thread;
 
-use scenec_interpret::{Interpretation, interpret};
+use scenec_interpret::{Interpretation, Interpreter, interpret};
 use scenec_syntax::{Line, Lines, read_ahead};
 use scenec_text::{Diagnostic, SourceFile};
 
 use crate::context::Context;
 use crate::findings::{self, Findings};
 use crate::mend::mend;
-use crate::rules::{EACH, SOLIDS, STATEMENTS};
+use crate::rules::{EACH, SOLIDS, STATEMENTS, STEPS};
 use crate::suppress::suppress;
 
 /// In files of fewer bytes the rules are through before a thread has come to life.
@@ -41,14 +41,24 @@ pub fn check_without_geometry(source: &SourceFile) -> Checked {
     judge(source, lines.findings(), read, |context| {
         let mut findings = Findings::default();
         findings.apply(STATEMENTS, context);
+        findings.apply(STEPS, context);
         findings.sorted()
     })
 }
 
-/// The same for a file whose lines are there already, with what reading them has found.
+/// The same for somebody who has use for the lines: they are kept.
 #[must_use]
-pub fn check_lines(source: &SourceFile, lines: &[Line], findings: Vec<Diagnostic>) -> Checked {
-    judge(source, findings, interpret(source, lines), apply)
+pub fn check_keeping_lines(source: &SourceFile) -> (Vec<Line>, Checked) {
+    let ((kept, read), findings) = read_ahead(source, |lines| {
+        let mut interpreter = Interpreter::new(source);
+        let mut kept = Vec::new();
+        for line in lines {
+            interpreter.line(&line);
+            kept.push(line);
+        }
+        (kept, interpreter.finish())
+    });
+    (kept, judge(source, findings, read, apply))
 }
 
 fn judge(
@@ -84,14 +94,16 @@ fn apply(context: &Context<'_>) -> Vec<Diagnostic> {
         source, interpretation, ..
     } = *context;
     if source.text().len() < LARGE {
-        for rules in [STATEMENTS, EACH, SOLIDS] {
+        for rules in [STATEMENTS, STEPS, EACH, SOLIDS] {
             findings.apply(rules, context);
         }
         return findings.sorted();
     }
     let solids = || {
         let mut findings = Findings::default();
-        findings.apply(SOLIDS, &Context::new(source, interpretation));
+        let context = Context::new(source, interpretation);
+        findings.apply(STEPS, &context);
+        findings.apply(SOLIDS, &context);
         findings.sorted()
     };
     thread::scope(|scope| {

@@ -8,13 +8,12 @@ use crate::rule::Rule;
 
 /// Every rule. What one reports no other reports again.
 pub(crate) fn all() -> impl Iterator<Item = &'static Rule> {
-    STATEMENTS.iter().chain(EACH).chain(SOLIDS)
+    [STATEMENTS, STEPS, EACH, SOLIDS].into_iter().flatten()
 }
 
 /// Rules that look at one statement or number after the other.
 pub(crate) const STATEMENTS: &[Rule] = &[
-    // Work that does nothing. First, so that its list of steps is gone before there are many others.
-    dropped::effectless_transform::RULE,
+    // Work that does nothing.
     dropped::unused_object::RULE,
     dropped::unused_material::RULE,
     dropped::idle_transform::RULE,
@@ -33,6 +32,10 @@ pub(crate) const STATEMENTS: &[Rule] = &[
     values::many_samples::RULE,
     values::idle_depth::RULE,
 ];
+
+/// Rules that keep something about every transform. They go before those that build trees of solids, so that their lists are
+/// gone by then.
+pub(crate) const STEPS: &[Rule] = &[dropped::effectless_transform::RULE];
 
 /// Rules about solids that come out badly or not at all, each for itself.
 pub(crate) const EACH: &[Rule] = &[

@@ -46,11 +46,18 @@ fn measure<T>(bencher: Bencher, source: &SourceFile, stage: impl Fn(&SourceFile)
         .bench(|| stage(divan::black_box(source)));
 }
 
+/// A stage that begins with the bytes of a file.
+fn measure_bytes<T>(bencher: Bencher, source: &SourceFile, stage: impl Fn(Vec<u8>) -> T + Sync) {
+    bencher
+        .counter(BytesCount::of_str(source.text()))
+        .with_inputs(|| source.text().as_bytes().to_vec())
+        .bench_values(stage);
+}
+
 #[divan::bench(args = SIZES, sample_size = 1, sample_count = 10)]
 fn line_index(bencher: Bencher, size: usize) {
-    let source = scene(size);
-    measure(bencher, &source, |source| {
-        SourceFile::from_bytes("generated", source.text().as_bytes().to_vec()).unwrap()
+    measure_bytes(bencher, &scene(size), |bytes| {
+        SourceFile::from_bytes("generated", bytes).unwrap()
     });
 }
 
@@ -83,6 +90,16 @@ fn rules(bencher: Bencher, size: usize) {
     let (interpretation, _) = interpret(&source, &lines);
     assert!(interpretation.scene.is_some(), "a file with errors skips most rules");
     measure(bencher, &source, |source| scenec_lint::lint(source, &interpretation));
+}
+
+/// From the bytes of a file to its findings, on one thread.
+#[divan::bench(args = SIZES, sample_size = 1, sample_count = 10)]
+fn check_without_geometry(bencher: Bencher, size: usize) {
+    measure_bytes(bencher, &scene(size), |bytes| {
+        let (source, _) = SourceFile::from_bytes("generated", bytes).unwrap();
+        let checked = scenec_lint::check_without_geometry(&source);
+        (source, checked)
+    });
 }
 
 #[divan::bench(args = SIZES, sample_size = 1, sample_count = 10)]
