@@ -89,7 +89,16 @@ const ROOMS: &[Room] = &[
             "scenec-cpu",
             "scenec-device",
         ],
-        &["base64", "ropey", "rustix", "serde", "serde_json", "tokio", "tower-lsp"],
+        &[
+            "base64",
+            "ropey",
+            "rustix",
+            "serde",
+            "serde_json",
+            "tokio",
+            "tower-lsp",
+            "tower-service",
+        ],
     ),
     room(
         "scenec",

@@ -11,6 +11,8 @@ pub(crate) mod inlay;
 pub(crate) mod lens;
 pub(crate) mod names;
 pub(crate) mod outline;
+#[cfg(debug_assertions)]
+pub(crate) mod panic;
 pub(crate) mod scene_outline;
 pub(crate) mod scene_pick;
 pub(crate) mod scene_plan;

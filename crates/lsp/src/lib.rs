@@ -4,6 +4,7 @@
 
 mod abilities;
 mod ball;
+mod contain;
 mod convert;
 mod documents;
 mod frames;

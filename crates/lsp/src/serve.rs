@@ -9,6 +9,7 @@ use tokio::sync::{oneshot, watch};
 use tokio::time::timeout;
 use tower_lsp::{ClientSocket, LspService};
 
+use crate::contain::Contained;
 use crate::log::Log;
 use crate::options::Options;
 use crate::orphan::orphaned;
@@ -56,18 +57,24 @@ pub fn serve(options: Options) -> io::Result<Ended> {
 
 /// The server with every request that is not of the protocol's own.
 fn service(options: Options, client: watch::Sender<Option<u32>>) -> (LspService<Server>, ClientSocket) {
-    LspService::build(|handle| Server::new(handle, options, client))
+    let service = LspService::build(|handle| Server::new(handle, options, client))
         .custom_method("scene/render", Server::scene_render)
         .custom_method("scene/pick", Server::scene_pick)
         .custom_method("scene/outline", Server::scene_outline)
         .custom_method("scene/writeCamera", Server::scene_write_camera)
-        .custom_method("scene/plan", Server::scene_plan)
-        .finish()
+        .custom_method("scene/plan", Server::scene_plan);
+    // Tests see by these that a panic is contained.
+    #[cfg(debug_assertions)]
+    let service = service
+        .custom_method("scene/panic", Server::scene_panic)
+        .custom_method("scene/panicUnasked", Server::scene_panic_unasked);
+    service.finish()
 }
 
 async fn talk(options: Options, log: Log) -> io::Result<Ended> {
     let (process, client) = watch::channel(None);
     let (service, socket) = service(options, process);
+    let service = Contained { service, log };
     let (inlet, input) = duplex(IN_FLIGHT);
     let (output, mut outlet) = duplex(IN_FLIGHT);
     let mut read = read(inlet, log)?;

@@ -182,7 +182,8 @@ pub(crate) fn refused(why: &impl Display) -> Error {
     error
 }
 
-fn failed() -> Error {
+/// What is said of a request that panicked.
+pub(crate) fn failed() -> Error {
     let mut error = Error::internal_error();
     error.message = "the server failed at this request".into();
     error

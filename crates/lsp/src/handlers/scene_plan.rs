@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use scenec_plan::{Features, Plan, plan};
+use scenec_plan::{BeyondSingle, Features, Plan, plan};
 use scenec_scene::{Scene, SolidKind};
 use scenec_text::Code;
 use serde::{Deserialize, Serialize};
@@ -53,7 +53,7 @@ pub(crate) struct Summary {
     kept: Option<Kept>,
     dropped: Vec<Dropped>,
     features: Vec<Feature>,
-    tracer: String,
+    tracer: Option<String>,
 }
 
 /// Counts of what is traced, and of what the file has.
@@ -100,16 +100,17 @@ fn summary(view: &View) -> Summary {
         Some(scene) => plan(scene).map(|plan| (scene, plan)).map_err(|error| error.to_string()),
         None => Err("the text has errors, so nothing is drawn".to_owned()),
     };
-    let tracer = tracer(&view.settings.device);
+    let device = &view.settings.device;
     match planned {
         Ok((scene, plan)) => {
             let (kept, features) = (kept(scene, &plan), features(&plan));
+            let tracer = tracer(device, plan.beyond_single());
             Summary {
                 markdown: markdown(&kept, &features, &dropped, &tracer),
                 kept: Some(kept),
                 dropped,
                 features,
-                tracer,
+                tracer: Some(tracer),
             }
         }
         Err(why) => Summary {
@@ -117,7 +118,7 @@ fn summary(view: &View) -> Summary {
             kept: None,
             dropped,
             features: Vec::new(),
-            tracer,
+            tracer: None,
         },
     }
 }
@@ -170,13 +171,21 @@ fn dropped(view: &View) -> Vec<Dropped> {
     found.map(line).collect()
 }
 
-/// What will draw. Drivers are not asked: that is for the process that draws.
-fn tracer(device: &str) -> String {
+/// What will draw, by the rules of the process that draws. Drivers are not asked: that is for that process.
+fn tracer(device: &str, beyond_single: Option<BeyondSingle>) -> String {
+    let (precision, able) = match beyond_single {
+        Some(why) => (format!(" in f64, since {why}"), " that has f64"),
+        None => (" in f32".to_owned(), ""),
+    };
     match device {
-        "cpu" => "the built-in tracer, on the processor".to_owned(),
-        "auto" => "the first OpenCL GPU for what takes the processor long, the built-in tracer otherwise".to_owned(),
+        "cpu" => format!("the built-in tracer, on the processor,{precision}"),
+        "auto" => format!(
+            "the built-in tracer, on the processor,{precision}; passes over the whole picture that take it longer than a \
+             blink go to the first OpenCL GPU{able}, if there is one"
+        ),
         other => format!(
-            "the OpenCL device `{}`, coarse passes on the processor",
+            "the OpenCL device `{}`{precision}, coarse passes by the built-in tracer; by that alone if there is no such \
+             device",
             other.replace('`', "'")
         ),
     }

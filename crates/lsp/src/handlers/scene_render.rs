@@ -2,6 +2,7 @@
 
 use scenec_text::Severity;
 use serde::{Deserialize, Serialize};
+use tokio::sync::watch;
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::lsp_types::notification::Notification;
 use tower_lsp::lsp_types::{Range, TextDocumentIdentifier, Url};
@@ -21,6 +22,9 @@ pub(crate) struct Params {
     size: Option<Size>,
     camera: Option<CameraWish>,
     quality: Quality,
+    /// Whether an edit lets it go on, with the text as it is now.
+    #[serde(default)]
+    despite_edits: bool,
 }
 
 /// How it ended.
@@ -86,11 +90,11 @@ impl Server {
         let Some(mut edits) = self.documents.get(&url).map(|open| open.edits()) else {
             return Ok(Answer::failed(None, "the document is not open".to_owned()));
         };
+        let despite_edits = params.despite_edits;
         let over = async {
             tokio::select! {
                 () = turn.over() => {}
-                // An edit, or the end of the document.
-                _ = edits.changed() => {}
+                () = outdated(&mut edits, despite_edits) => {}
             }
         };
         tokio::select! {
@@ -99,6 +103,11 @@ impl Server {
             answer = draw(self, params) => answer,
         }
     }
+}
+
+/// Ends with the document, or with its next edit unless that is to be passed over.
+async fn outdated(edits: &mut watch::Receiver<u64>, despite_edits: bool) {
+    while edits.changed().await.is_ok() && despite_edits {}
 }
 
 async fn draw(server: &Server, params: Params) -> Result<Answer> {

@@ -85,6 +85,31 @@ fn a_client_that_dies_without_a_word_is_noticed() {
     assert_eq!(client.exit_code(), Some(1));
 }
 
+/// Only programs that are built with debug assertions can be asked to panic; nothing else makes a handler do so.
+#[cfg(debug_assertions)]
+#[test]
+fn a_panic_costs_one_request() {
+    const URI: &str = "file:///a.scene";
+    let mut client = Client::greeted(json!({"textDocument": {"diagnostic": {}}}));
+    client.open(URI, "!s := sphere\n");
+    for _ in 0..3 {
+        for place in [json!({}), json!({"textDocument": {"uri": URI}})] {
+            let asked = client.ask("scene/panic", place.clone());
+            // One that waits already is not taken along.
+            let beside = client.ask("textDocument/foldingRange", json!({"textDocument": {"uri": URI}}));
+            let error = client.answer(asked).unwrap_err();
+            assert_eq!(error["code"], -32603, "{place}");
+            assert_eq!(error["message"], "the server failed at this request", "{place}");
+            assert!(client.answer(beside).is_ok());
+        }
+        client.notify("scene/panicUnasked", json!({}));
+        assert_eq!(client.findings(URI)[0]["code"], "E014");
+    }
+    client.change(URI, 2, json!([{"text": "5\n"}]));
+    assert_eq!(client.findings(URI)[0]["code"], "E005");
+    client.farewell();
+}
+
 #[test]
 fn a_client_whose_number_means_nothing_here_is_served() {
     let mut client = Client::new();

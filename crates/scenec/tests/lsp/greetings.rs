@@ -1,4 +1,4 @@
-//! The first words: recorded ones of real editors, and what is made of them.
+//! The first words: recorded ones of real editors, and what is made of them. `editors/e2e/record.ts` records them.
 
 use serde_json::{Value, json};
 
@@ -52,8 +52,16 @@ fn replay(recorded: &str) -> Value {
 }
 
 #[test]
-fn neovim_is_sent_findings() {
-    let offered = replay(include_str!("recorded/neovim.json"));
+fn a_new_neovim_asks_for_findings_and_counts_bytes() {
+    let offered = replay(include_str!("recorded/neovim-0.11.json"));
+    assert_eq!(offered["positionEncoding"], "utf-8");
+    assert_eq!(offered["diagnosticProvider"]["interFileDependencies"], false);
+}
+
+#[test]
+fn an_old_neovim_is_sent_findings() {
+    let offered = replay(include_str!("recorded/neovim-0.7.json"));
+    assert_eq!(offered["diagnosticProvider"], json!(null));
     assert_eq!(offered["positionEncoding"], "utf-16");
     assert_eq!(offered["renameProvider"], json!({"prepareProvider": true}));
 }

@@ -128,6 +128,42 @@ fn the_newest_request_and_the_newest_text_win() {
 }
 
 #[test]
+fn a_picture_may_be_drawn_to_its_end_despite_edits() {
+    let mut client = drawing(&slow());
+    let mut wish = long(1);
+    wish["despiteEdits"] = json!(true);
+    let picture = client.ask("scene/render", wish);
+    client.notification("scene/frame");
+    client.change(URI, 2, json!([{"text": SEED}]));
+    // Another one would have been cancelled by now: the server takes its messages in order.
+    let plan = json!({"textDocument": {"uri": URI}});
+    client.request("scene/plan", plan).unwrap();
+    let frame = client.notification("scene/frame");
+    assert_eq!((&frame["id"], &frame["version"]), (&json!(1), &json!(1)), "{frame}");
+    client.close(URI);
+    assert_eq!(client.answer(picture).unwrap()["outcome"], "cancelled");
+    client.farewell();
+}
+
+#[test]
+fn a_plan_tells_what_draws_it() {
+    let mut client = drawing(SEED);
+    let mut tracer = |version: i32, text: &str| {
+        client.change(URI, version, json!([{"text": text}]));
+        let plan = client.request("scene/plan", json!({"textDocument": {"uri": URI}}));
+        plan.unwrap()["tracer"].take()
+    };
+    assert_eq!(tracer(2, SEED), "the built-in tracer, on the processor, in f32");
+    let far = tracer(3, &SEED.replace("!sph += 0.0", "!sph += 1000000.0"));
+    assert!(
+        far.as_str().is_some_and(|far| far.contains("in f64, since f32 could")),
+        "{far}"
+    );
+    assert_eq!(tracer(4, "!"), json!(null));
+    client.farewell();
+}
+
+#[test]
 fn pictures_on_their_way_keep_nothing_waiting() {
     let mut client = drawing(&slow());
     let picture = client.ask("scene/render", long(1));

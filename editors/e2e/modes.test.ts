@@ -1,0 +1,151 @@
+// The preview that follows what is saved, several previews at once, other themes, and what is left when the server gives up.
+// The tests build on each other.
+
+import assert from "node:assert/strict";
+import { after, afterEach, before, test } from "node:test";
+
+import { type Code, shot, startCode } from "./code.ts";
+import { BALL, fine, HEAD } from "./scenes.ts";
+import { isBlue, isRed, Window } from "./window.ts";
+
+const SETTINGS = {
+  "scenec.hints.fields": false,
+  "scenec.hints.positions": false,
+  "scenec.preview.update": "onSave",
+};
+const isGreen = ([r = 0, g = 0, b = 0]: number[]) => g > 100 && r < 40 && b < 40;
+
+let code: Code;
+let window: Window;
+
+before(async () => {
+  code = await startCode({ "ball.scene": BALL, "fine.scene": fine("0 0 1") }, SETTINGS);
+  window = await Window.open(code, "ball.scene");
+});
+
+afterEach(context => window?.failed(context));
+
+after(() => code?.close());
+
+/** Shows another file of the folder in front. */
+async function show(file: string): Promise<Window> {
+  const there = window.at(file);
+  // In the group of the texts, and not over a picture.
+  await window.page.keyboard.press("Control+1");
+  const input = window.page.locator(".quick-input-widget input:visible");
+  await window.press("Control+p", input);
+  await input.fill(file);
+  await window.page.locator(".quick-input-list .monaco-list-row", { hasText: file }).first().click();
+  await there.editor.waitFor();
+  return there;
+}
+
+/** Replaces the three last values of a line, as many as there are digits and spaces. */
+async function colour(there: Window, line: number, values: string): Promise<void> {
+  await there.go(line, 1);
+  await there.page.keyboard.press("End");
+  for (const key of [..."12345"].map(() => "Backspace").concat([...values])) {
+    await there.page.keyboard.press(key);
+  }
+}
+
+/** Waits for a swatch, which tells that the server knows the text. */
+async function swatch(there: Window, rgb: string): Promise<void> {
+  const all = there.editor.locator(".colorpicker-color-decoration");
+  await there.until(`a swatch ${rgb}`, async () => {
+    const colours = await all.evaluateAll(found => found.map(it => getComputedStyle(it).backgroundColor));
+    return colours.includes(rgb);
+  });
+}
+
+test("a preview that follows what is saved waits for that", async () => {
+  await window.run("Scene: Open Preview to the Side");
+  await window.middle("a red ball", isRed);
+  await colour(window, HEAD + 1, "0 0 1");
+  await swatch(window, "rgb(0, 0, 255)");
+  await window.middle("the ball is red still", isRed);
+  await window.page.keyboard.press("Control+s");
+  await window.middle("a blue ball", isBlue);
+});
+
+test("two files have their pictures beside each other", async () => {
+  const other = await show("fine.scene");
+  await other.run("Scene: Open Preview to the Side");
+  await other.middle("a blue ball of the other file", isBlue, await other.previewOf("fine.scene"));
+  const tab = (label: string) => window.page.locator(".tab", { hasText: label }).first();
+  await tab("Preview ball.scene").click();
+  await window.run("View: Move Editor into Next Group");
+  const [first, second] = [await window.previewOf("ball.scene"), await window.previewOf("fine.scene")];
+  await window.middle("the one", isBlue, first);
+  await window.middle("the other", isBlue, second);
+});
+
+test("what is typed while a saved text is drawn does not stop its picture", async () => {
+  const there = await show("fine.scene");
+  const preview = await there.previewOf("fine.scene");
+  const facts = () => preview.locator("#facts").textContent();
+  await there.until("the first picture", async () => / m?s /.test((await facts()) ?? ""));
+  const before = await facts();
+  await colour(there, HEAD + 2, "0 1 0");
+  await there.page.keyboard.press("Control+s");
+  await there.page.keyboard.type(" / late");
+  await there.middle("a green ball", isGreen, preview);
+  await there.until("the whole picture", async () => (await facts()) !== before);
+  assert.equal((await there.page.locator(".tab.dirty", { hasText: "fine.scene" }).count()) > 0, true);
+  const red = await there.previewOf("ball.scene");
+  await there.middle("the other picture is as it was", isBlue, red);
+  await shot(there.page, "several");
+});
+
+for (const theme of ["Default High Contrast", "Default High Contrast Light"]) {
+  test(`the preview in the theme ${theme}`, async () => {
+    code.set({ ...SETTINGS, "workbench.colorTheme": theme });
+    const preview = await window.previewOf("ball.scene");
+    const kind = theme.endsWith("Light") ? "vscode-high-contrast-light" : "vscode-high-contrast";
+    await preview.locator(`body.${kind}`).waitFor();
+    // Every border that such a theme asks for is drawn.
+    const border = await preview
+      .locator("#write")
+      .evaluate(it => [getComputedStyle(it).borderTopColor, getComputedStyle(it).backgroundColor]);
+    assert.notEqual(border[0], "rgba(0, 0, 0, 0)");
+    await window.middle("the picture", isBlue, preview);
+    await shot(window.page, kind);
+  });
+}
+
+test("a server that ends again and again is left alone, and snippets take its place", async () => {
+  const there = await show("ball.scene");
+  for (let ends = 0; ends < 5; ends++) {
+    let server: number | undefined;
+    await there.until(`server ${ends + 1}`, async () => {
+      server = code.servers()[0];
+      return server !== undefined;
+    });
+    process.kill(server ?? 0, "SIGKILL");
+    await there.until("its end", async () => !code.servers().includes(server ?? 0));
+  }
+  const message = there.page.locator(".notification-list-item", { hasText: "is left alone now" }).first();
+  await message.waitFor();
+  await shot(there.page, "left alone");
+  assert.deepEqual(code.servers(), []);
+  assert.deepEqual(await offered(there), ["object"]);
+  await there.run("Scene: Restart the Server");
+  await there.until("a server", async () => code.servers().length === 1);
+  await swatch(there, "rgb(0, 0, 255)");
+  assert.deepEqual(await offered(there), ["!x := sphere"]);
+});
+
+/** What is offered at the end of the text to who types the word `object`. */
+async function offered(there: Window): Promise<string[]> {
+  await there.go(HEAD + 7, 1);
+  await there.page.keyboard.type("objec");
+  const widget = there.page.locator(".suggest-widget:visible");
+  const rows = widget.locator(".monaco-list-row .label-name");
+  await there.press("Control+Space", rows.first());
+  const found = await rows.allTextContents();
+  await there.page.keyboard.press("Escape");
+  for (const key of [..."objec"].map(() => "Backspace")) {
+    await there.page.keyboard.press(key);
+  }
+  return found;
+}
