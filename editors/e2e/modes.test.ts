@@ -30,12 +30,17 @@ after(() => code?.close());
 /** Shows another file of the folder in front. */
 async function show(file: string): Promise<Window> {
   const there = window.at(file);
-  // In the group of the texts, and not over a picture.
-  await window.page.keyboard.press("Control+1");
-  const input = window.page.locator(".quick-input-widget input:visible");
-  await window.press("Control+p", input);
-  await input.fill(file);
-  await window.page.locator(".quick-input-list .monaco-list-row", { hasText: file }).first().click();
+  const tab = window.page.locator(`.tab[data-resource-name="${file}"]`).first();
+  if ((await tab.count()) > 0) {
+    await tab.click();
+  } else {
+    // In the group of the texts, and not over a picture.
+    await window.page.keyboard.press("Control+1");
+    const input = window.page.locator(".quick-input-widget input:visible");
+    await window.press("Control+p", input);
+    await input.fill(file);
+    await window.page.locator(`.quick-input-list .monaco-list-row[aria-label^="${file}"]`).first().click();
+  }
   await there.editor.waitFor();
   return there;
 }
@@ -88,10 +93,12 @@ test("what is typed while a saved text is drawn does not stop its picture", asyn
   const before = await facts();
   await colour(there, HEAD + 2, "0 1 0");
   await there.page.keyboard.press("Control+s");
+  const dirty = there.page.locator(".tab.dirty", { hasText: "fine.scene" });
+  await dirty.first().waitFor({ state: "detached" });
   await there.page.keyboard.type(" / late");
   await there.middle("a green ball", isGreen, preview);
   await there.until("the whole picture", async () => (await facts()) !== before);
-  assert.equal((await there.page.locator(".tab.dirty", { hasText: "fine.scene" }).count()) > 0, true);
+  await dirty.first().waitFor();
   const red = await there.previewOf("ball.scene");
   await there.middle("the other picture is as it was", isBlue, red);
   await shot(there.page, "several");
@@ -125,7 +132,8 @@ test("a server that ends again and again is left alone, and snippets take its pl
     await there.until("its end", async () => !code.servers().includes(server ?? 0));
   }
   const message = there.page.locator(".notification-list-item", { hasText: "is left alone now" }).first();
-  await message.waitFor();
+  // A message goes out of sight after a while, and is kept behind the bell.
+  await there.again(() => there.run("Notifications: Show Notifications"), message);
   await shot(there.page, "left alone");
   assert.deepEqual(code.servers(), []);
   assert.deepEqual(await offered(there), ["object"]);
