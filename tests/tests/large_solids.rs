@@ -5,10 +5,10 @@
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 
-use scenec_cpu::Cpu;
+use scenec_cpu::{Cpu, Number};
 use scenec_device::{Precision, tracer};
 use scenec_picture::{Frame, Limits, NOTHING, Window};
-use scenec_plan::{Features, Plan, Real, plan};
+use scenec_plan::{Features, Plan, plan};
 use scenec_reference::Reference;
 use scenec_scene::Scene;
 use scenec_tests::{Numbers, device, frame, scene};
@@ -168,7 +168,7 @@ fn whole(scene: &Scene) -> Window {
     Window::whole(scene.settings.width, scene.settings.height)
 }
 
-fn on_processor<R: Real>(scene: &Scene, plan: &Plan) -> Frame {
+fn on_processor<R: Number>(scene: &Scene, plan: &Plan) -> Frame {
     frame(
         &mut Cpu::<R>::new(plan, 2).unwrap(),
         whole(scene),

@@ -39,6 +39,13 @@ macro_rules! widest {
     }};
 }
 
+/// A number that pictures are traced in: f32 or f64, and no other.
+#[allow(private_bounds, reason = "how it is traced is nobody's business but this room's")]
+pub trait Number: Traced {}
+
+impl Number for f32 {}
+impl Number for f64 {}
+
 /// A number with tracers of its own. Implemented for each by hand, so that they are compiled here once and not wherever
 /// somebody asks for a picture.
 pub(crate) trait Traced: Lanes {

@@ -27,6 +27,7 @@ use scenec_picture::{Frame, NOTHING, Picture, Request, Spread, Stats, TraceError
 use scenec_plan::Plan;
 
 use bands::{Band, Layers, bands};
+pub use dispatch::Number;
 use dispatch::Traced;
 use pixel::Pixel;
 pub use refine::{Refined, Task};
@@ -39,8 +40,7 @@ pub struct Cpu<R> {
     threads: ThreadPool,
 }
 
-#[allow(private_bounds, reason = "f32 and f64 are all such numbers that there are")]
-impl<R: Traced> Cpu<R> {
+impl<R: Number> Cpu<R> {
     /// A tracer for a plan; `threads` = 0 takes as many as the machine has.
     ///
     /// # Errors
@@ -71,8 +71,7 @@ impl<R: Traced> Cpu<R> {
     }
 }
 
-#[allow(private_bounds, reason = "as above")]
-impl<R: Traced> Tracer for Cpu<R> {
+impl<R: Number> Tracer for Cpu<R> {
     fn name(&self) -> String {
         let threads = self.threads.current_num_threads();
         format!(

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use scenec_picture::{Limits, Spread, Stats, TraceError, Watch, Window};
 
 use crate::Cpu;
-use crate::dispatch::Traced;
+use crate::dispatch::Number;
 use crate::sampled::Sampled;
 
 /// A thread takes this many pixels at a time: few, for one of them may need thousands of samples.
@@ -42,8 +42,7 @@ pub struct Refined {
     pub spread: Spread,
 }
 
-#[allow(private_bounds, reason = "f32 and f64 are all such numbers that there are")]
-impl<R: Traced> Cpu<R> {
+impl<R: Number> Cpu<R> {
     /// Samples some pixels of a window, each until it has enough or has had all of the tracer's sample points or its
     /// budget of rays. A pixel has the same samples whichever others are asked for.
     ///

@@ -1,9 +1,9 @@
 //! A picture to a tolerance: each pixel gets as many samples, and loses as many faint branches, as its bound allows.
 
-use scenec_cpu::{Cpu, Refined, Sampled, Task};
+use scenec_cpu::{Cpu, Number, Refined, Sampled, Task};
 use scenec_device::Precision;
 use scenec_picture::{Limits, Picture, Stats, TooManyPixels, TraceError, Tracer, Watch, Window};
-use scenec_plan::{Plan, PlanError, Real, plan};
+use scenec_plan::{Plan, PlanError, plan};
 use scenec_scene::Scene;
 
 use crate::bound::Bound;
@@ -115,7 +115,7 @@ impl Tolerance<'_> {
         })
     }
 
-    fn on<R: Real>(&self, mut cpu: Cpu<R>, plan: Plan, precision: Precision) -> Result<Achieved, TraceError> {
+    fn on<R: Number>(&self, mut cpu: Cpu<R>, plan: Plan, precision: Precision) -> Result<Achieved, TraceError> {
         let doubts = Doubts::of(&plan, roundoff(precision));
         let mut pixels = Pixels::none_of(self.window)?;
         let mut stats = Stats::default();
@@ -232,7 +232,7 @@ struct Work<'a> {
 
 impl Work<'_> {
     /// As few samples as may tell anything, everywhere.
-    fn look<R: Real>(&self, cpu: &mut Cpu<R>) -> Result<(Vec<Refined>, Stats), TraceError> {
+    fn look<R: Number>(&self, cpu: &mut Cpu<R>) -> Result<(Vec<Refined>, Stats), TraceError> {
         let least = least_samples(self.plan, self.window, self.asked.tolerance);
         let count = u32::try_from(self.window.pixels()).unwrap_or(u32::MAX);
         let pixels: Vec<u32> = (0..count).collect();
@@ -242,7 +242,7 @@ impl Work<'_> {
     }
 
     /// More samples where the first ones do not suffice.
-    fn settle<R: Real>(&self, cpu: &mut Cpu<R>, first: &[Refined]) -> Result<(Vec<Settled>, Stats), TraceError> {
+    fn settle<R: Number>(&self, cpu: &mut Cpu<R>, first: &[Refined]) -> Result<(Vec<Settled>, Stats), TraceError> {
         let ranges: Vec<_> = first.iter().map(|pixel| Range::of(&pixel.spread)).collect();
         let around = around(&ranges, self.window.width as usize);
         let doubt = |place: usize, pixel: &Refined| {
@@ -293,7 +293,7 @@ impl Work<'_> {
         doubt.bound() <= tolerance || (count >= PATIENCE && in_the_end.bound() > tolerance)
     }
 
-    fn refine<R: Real>(
+    fn refine<R: Number>(
         &self,
         cpu: &mut Cpu<R>,
         pixels: &[u32],

@@ -5,9 +5,9 @@
 
 use std::time::Instant;
 
-use scenec_cpu::Cpu;
+use scenec_cpu::{Cpu, Number};
 use scenec_picture::{Layers, Request, Stats, TraceError, Tracer, Window};
-use scenec_plan::{Features, Plan, Real};
+use scenec_plan::{Features, Plan};
 
 /// Columns and rows are divided by this, at least.
 const DIVISOR: u32 = 8;
@@ -37,7 +37,11 @@ pub(crate) struct Forecast {
 ///
 /// # Errors
 /// Those of the tracer.
-pub(crate) fn forecast<R: Real>(cpu: &mut Cpu<R>, plan: &Plan, request: &Request<'_>) -> Result<Forecast, TraceError> {
+pub(crate) fn forecast<R: Number>(
+    cpu: &mut Cpu<R>,
+    plan: &Plan,
+    request: &Request<'_>,
+) -> Result<Forecast, TraceError> {
     let (view, window) = (&plan.view, request.window);
     let divisor = divisor(window.pixels());
     let part = |length: u32| (length / divisor).max(1);
@@ -73,7 +77,7 @@ pub(crate) fn forecast<R: Real>(cpu: &mut Cpu<R>, plan: &Plan, request: &Request
 }
 
 /// What it took, and the nanoseconds.
-fn timed<R: Real>(cpu: &mut Cpu<R>, request: &Request<'_>) -> Result<(Stats, u64), TraceError> {
+fn timed<R: Number>(cpu: &mut Cpu<R>, request: &Request<'_>) -> Result<(Stats, u64), TraceError> {
     let begin = Instant::now();
     let stats = cpu.trace(request)?.stats;
     Ok((stats, begin.elapsed().as_nanos().try_into().unwrap_or(u64::MAX)))

@@ -16,7 +16,6 @@ pub(crate) enum Solid {
 /// A picture to be made.
 #[derive(Clone, Debug)]
 pub(crate) struct Model {
-    pub(crate) name: &'static str,
     pub(crate) size: (u32, u32),
     pub(crate) depth: u32,
     pub(crate) eye: [f64; 3],
@@ -59,9 +58,8 @@ pub(crate) const NAMES: [&str; 11] = [
 ];
 
 /// The scene of a name.
-pub(crate) fn model(name: &'static str) -> Model {
+pub(crate) fn model(name: &str) -> Model {
     let field = Model {
-        name,
         size: (1280, 720),
         depth: 4,
         eye: [0.0, 8.0, 24.0],

@@ -6,10 +6,10 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use scenec_cpu::Cpu;
+use scenec_cpu::{Cpu, Number};
 use scenec_device::{Precision, Verdict, source as kernels};
 use scenec_picture::{Layers, Request, Window};
-use scenec_plan::{Features, Plan, Real, Summary, plan};
+use scenec_plan::{Features, Plan, Summary, plan};
 use scenec_scene::Scene;
 use scenec_text::SourceFile;
 
@@ -116,7 +116,7 @@ impl PlanOptions {
         })
     }
 
-    fn planned<R: Real>(
+    fn planned<R: Number>(
         &self,
         (source, scene): (SourceFile, Scene),
         plan: Plan,

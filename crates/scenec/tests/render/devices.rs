@@ -53,7 +53,12 @@ fn a_gpu_that_fails_is_replaced_unless_it_was_asked_for() {
 
     // A short while is not worth a device.
     let short = run("good.scene -o short.png");
-    assert_eq!((short.code, short.words.lines().count()), (Some(0), 1), "{}", short.words);
+    assert_eq!(
+        (short.code, short.words.lines().count()),
+        (Some(0), 1),
+        "{}",
+        short.words
+    );
     let auto = run("good.scene -o new.png --size 1600x1000 --samples 8 --threads 1");
     assert_eq!(auto.code, Some(0), "{}", auto.words);
     let mut lines = auto.words.lines().skip_while(|line| !line.starts_with("warning: "));

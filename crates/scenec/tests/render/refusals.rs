@@ -87,8 +87,9 @@ fn arguments_out_of_range_are_refused_in_the_words_of_the_settings() {
 #[test]
 fn a_scene_beyond_the_tracers_is_refused() {
     let room = Room::new();
-    // Written out, each pair of lines doubles what the one before it takes.
-    let doubled = "!c := a - b\n!a := a & c\n".repeat(30);
+    // In either of two solids and not in both: each such step names the tree before it twice, and no law makes it shorter.
+    let step = |i: u32| format!("!b := sphere\n!b += .0{i} 0 0\n!u := a | b\n!c := a & b\n!a := u - c\n");
+    let doubled: String = (10..40).map(step).collect();
     let scene = SCENE.replace("!ball := a - b", &format!("{doubled}!ball := a - b"));
     fs::write(room.path("vast.scene"), scene).unwrap();
     room.check(

@@ -2,11 +2,11 @@
 
 use std::thread;
 
-use scenec_cpu::Cpu;
+use scenec_cpu::{Cpu, Number};
 use scenec_device::{DeviceInfo, Precision, remember_gain, worth_asking};
 use scenec_measure::{Doubt, Tolerance, doubts};
 use scenec_picture::{Frame, Request, Stats, Tracer, Window};
-use scenec_plan::{Features, Plan, Real, plan};
+use scenec_plan::{Features, Plan, plan};
 use scenec_reference::Reference;
 use scenec_scene::Scene;
 
@@ -89,7 +89,7 @@ impl Attempt<'_> {
         }
     }
 
-    fn planned<R: Real>(&mut self, plan: Plan, precision: Precision) -> Result<Traced, Failure> {
+    fn planned<R: Number>(&mut self, plan: Plan, precision: Precision) -> Result<Traced, Failure> {
         let threads = self.options.threads();
         let mut prepared = None;
         let nanoseconds = match most(&plan, &self.request, workers(threads)) {
