@@ -4,7 +4,7 @@ use std::hash::{BuildHasher, Hasher};
 
 use hashbrown::DefaultHashBuilder;
 
-/// The fewest slots of a table that has any.
+/// The fewest slots of a table that has any; of fewer than four a quarter could not be kept free.
 const FEWEST: usize = 16;
 
 /// How far apart the places of two names lie that differ by one in the last byte but one: as many as there are characters that
@@ -51,7 +51,7 @@ impl Ids {
     pub(super) fn with_room(names: usize) -> Self {
         let mut ids = Self::default();
         if names > 0 {
-            ids.grow((names + names / 3 + 1).next_power_of_two());
+            ids.grow((names + names / 3 + 1).next_power_of_two().max(FEWEST));
         }
         ids
     }
@@ -122,9 +122,9 @@ impl Ids {
 mod tests {
     use super::Ids;
 
-    /// Every name keeps the number that it got, in a table that grows and in one that has room.
+    /// Every name keeps the number that it got, in a table that grows, in one that has room, and in one that has too little.
     fn check(names: &[&str]) {
-        for mut ids in [Ids::default(), Ids::with_room(names.len())] {
+        for mut ids in [Ids::default(), Ids::with_room(names.len()), Ids::with_room(1)] {
             let mut known: Vec<&str> = Vec::new();
             for name in names.iter().chain(names) {
                 let expect = known.iter().position(|other| other == name);
@@ -134,6 +134,8 @@ mod tests {
                 if expect.is_none() {
                     known.push(name);
                 }
+                // A search for what is not there ends too.
+                assert_eq!(ids.find("absent", |id| known[id] == "absent"), None);
             }
         }
     }
