@@ -15,7 +15,7 @@ use scenec_scene::Scene;
 pub use text::text;
 
 /// How long POV-Ray may take for one picture.
-const PATIENCE: Duration = Duration::from_secs(30);
+const PATIENCE: Duration = Duration::from_secs(10);
 
 /// The leaf that POV-Ray sees at each pixel of a scene, row by row, or [`scenec_picture::NOTHING`], without anti-aliasing.
 ///
