@@ -71,11 +71,17 @@ const TINY: Effort = Effort {
     ..EFFORT
 };
 
+/// The seeds of a property test: some of them, or as many as `SCENEC_SEEDS` says; and in any case those at which an estimate
+/// has been too small before, because something lay between all samples of a pixel and of those around it.
+fn seeds(some: u64) -> impl Iterator<Item = u64> {
+    let asked = std::env::var("SCENEC_SEEDS").map(|count| count.parse().unwrap());
+    let count = asked.unwrap_or(some);
+    (0..count).chain([492, 807, 894].into_iter().filter(move |seed| *seed >= count))
+}
+
 #[test]
 fn no_random_picture_is_more_wrong_than_it_says() {
-    // Of the first 1000 seeds, 492, 807 and 894 miss: they have objects that lie between all samples of a pixel and of
-    // those around it, of which no estimate made of samples can know.
-    for seed in 0..150 {
+    for seed in seeds(150) {
         check(&format!("seed {seed}"), scene("random", &random_scene(seed)), TINY);
     }
 }
@@ -86,7 +92,7 @@ fn at_the_samples_of_the_reference_truncation_and_rounding_are_all_that_is_wrong
         reference_samples: 4,
         ..TINY
     };
-    for seed in 0..1000 {
+    for seed in seeds(150) {
         let report = report(&effort.shrunk(scene("random", &random_scene(seed))), effort);
         for row in &report.rows {
             let bound = row.bound.truncation + row.bound.rounding;

@@ -6,6 +6,7 @@ use scenec_scene::{Scene, View, view};
 
 use crate::discrepancy::of_edges;
 use crate::doubt::{Doubt, SHADING};
+use crate::hidden::{Hidden, Lights};
 use crate::setting::Setting;
 use crate::trial::{Trial, trial};
 
@@ -49,7 +50,8 @@ impl Bound {
 /// Sampling is estimated in two ways, and the larger counts. An embedded pair: twice what the second half of the samples
 /// changed, where the first sample alone is paired with the next. And an edge: twice what the points of a pixel may be
 /// wrong about a straight edge, times the contrast around the pixel; for a pair may miss an edge, and its neighbours
-/// don't. In the mean square, where no pixel counts alone, the pair suffices.
+/// don't. In the mean square, where no pixel counts alone, the pair suffices. Surfaces that show between all samples of a
+/// pixel and of its neighbours are in neither: what they may bring is added.
 ///
 /// Rounding is estimated by what becomes of the picture when every ray is turned a little: the worst pixel as it is, for
 /// a ray that takes another way brings all that it can bring; of the mean square a 16th, for the number of such pixels is
@@ -57,7 +59,13 @@ impl Bound {
 ///
 /// # Errors
 /// Those of the tracers.
-pub(crate) fn bound(scene: &Scene, setting: &Setting, traced: &Trial, watch: &Watch) -> Result<Bound, TraceError> {
+pub(crate) fn bound(
+    scene: &Scene,
+    setting: &Setting,
+    traced: &Trial,
+    hidden: &Hidden,
+    watch: &Watch,
+) -> Result<Bound, TraceError> {
     let other = match setting.samples {
         1 => 2,
         samples => samples / 2,
@@ -65,7 +73,9 @@ pub(crate) fn bound(scene: &Scene, setting: &Setting, traced: &Trial, watch: &Wa
     let pair = trial(scene, &setting.with_samples(other), watch)?;
     let turned = trial(&turned(scene, TURN * setting.roundoff()), setting, watch)?;
     let failed = |error: PlanError| TraceError::Failed(error.to_string());
-    let points = plan(&setting.scene(scene)).map_err(failed)?.view.samples;
+    let plan_here = plan(&setting.scene(scene)).map_err(failed)?;
+    let lights = Lights::of(&plan_here);
+    let samples = setting.samples.max(other);
     let beyond = shallow(&plan(scene).map_err(failed)?, setting);
     let none = Vec::new();
     let [all, pair, turned] = [traced, &pair, &turned].map(|trial| trial.frame.exact.as_ref().unwrap_or(&none));
@@ -74,7 +84,8 @@ pub(crate) fn bound(scene: &Scene, setting: &Setting, traced: &Trial, watch: &Wa
         pair,
         turned,
         width: scene.settings.width.max(1) as usize,
-        edge: of_edges(&points),
+        edge: of_edges(&plan_here.view.samples),
+        hidden: &|index, colour| hidden.bring(index, samples, colour, &lights),
         truncation: traced.frame.stats.dropped + beyond,
         // The picture itself is of singles.
         rounding: SHADING * setting.roundoff() + f64::from(f32::EPSILON) / 2.0,
@@ -90,6 +101,8 @@ struct Parts<'a> {
     width: usize,
     /// The share of a contrast that the sample points may be wrong about.
     edge: f64,
+    /// What surfaces between the samples may add to a pixel of a colour.
+    hidden: &'a dyn Fn(usize, [f64; 3]) -> [f64; 3],
     truncation: f64,
     /// Relative to a component.
     rounding: f64,
@@ -104,16 +117,16 @@ impl Parts<'_> {
         let mut squares = 0.0;
         let others = self.pair.iter().zip(self.turned);
         for (index, (pixel, (pair, turned))) in self.all.iter().zip(others).enumerate() {
-            let contrast = self.contrast(index);
+            let (contrast, hidden) = (self.contrast(index), (self.hidden)(index, *pixel));
             for component in [0, 1, 2] {
                 let value = pixel[component];
                 let change = 2.0 * (value - pair[component]).abs();
-                let sampling = change.max(2.0 * self.edge * contrast[component]);
+                let sampling = change.max(2.0 * self.edge * contrast[component]) + hidden[component];
                 let (own, flips) = (self.rounding * value.abs(), (value - turned[component]).abs());
                 bound.sampling = bound.sampling.max(sampling);
                 bound.rounding = bound.rounding.max(own + flips);
                 bound.max = bound.max.max(self.truncation + sampling + own + flips);
-                squares += (self.truncation + change + own).powi(2) + flips * flips / 16.0;
+                squares += (self.truncation + change + hidden[component] + own).powi(2) + flips * flips / 16.0;
             }
         }
         bound.rms = (squares / self.all.as_flattened().len().max(1) as f64).sqrt();
@@ -173,20 +186,21 @@ fn shallow(whole: &Plan, setting: &Setting) -> f64 {
 mod tests {
     use super::Parts;
 
-    fn check(edge: f64, sampling: f64, max: f64) {
+    fn check(edge: f64, hidden: f64, sampling: f64, max: f64) {
         let bound = Parts {
             all: &vec![[1.0, 2.0, 0.0], [1.0, 2.5, 0.0]],
             pair: &vec![[1.5, 2.0, 0.0], [1.0, 2.5, 0.0]],
             turned: &vec![[1.0, 1.0, 0.0], [1.0, 2.5, 0.0]],
             width: 2,
             edge,
+            hidden: &|index, _| if index == 0 { [hidden, 0.0, 0.0] } else { [0.0; 3] },
             truncation: 0.25,
             rounding: 0.125,
         }
         .sum();
         assert_eq!((bound.truncation, bound.rounding), (0.25, 1.25));
         assert_eq!((bound.sampling, bound.max), (sampling, max));
-        let squares: f64 = [1.375, 0.5, 0.25, 0.375, 0.5625, 0.25]
+        let squares: f64 = [1.375 + hidden, 0.5, 0.25, 0.375, 0.5625, 0.25]
             .iter()
             .map(|part: &f64| part * part)
             .sum();
@@ -195,9 +209,10 @@ mod tests {
 
     #[test]
     fn the_parts_add_up_pixel_by_pixel() {
-        check(0.0, 1.0, 1.5);
+        check(0.0, 0.0, 1.0, 1.5);
         // The contrast of both green components is a half.
-        check(0.5, 1.0, 2.0);
-        check(2.0, 2.0, 3.5);
+        check(0.5, 0.0, 1.0, 2.0);
+        check(2.0, 0.0, 2.0, 3.5);
+        check(0.0, 0.5, 1.5, 1.875);
     }
 }

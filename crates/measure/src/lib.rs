@@ -11,6 +11,7 @@ mod diagram;
 mod discrepancy;
 mod doubt;
 mod effort;
+mod hidden;
 mod ladder;
 mod page;
 mod pareto;

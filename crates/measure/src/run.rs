@@ -8,6 +8,7 @@ use scenec_scene::Scene;
 
 use crate::bound::{Bound, bound};
 use crate::effort::Effort;
+use crate::hidden::Hidden;
 use crate::ladder::{Rung, ladder};
 use crate::pareto::front;
 use crate::setting::Setting;
@@ -110,7 +111,8 @@ impl Bench<'_> {
         let rungs = ladder(self.scene, &self.effort, self.device);
         let settings: u64 = rungs.iter().map(|rung| self.pictures(&rung.setting)).sum();
         // Pictures of a rung: itself, two for its bound, and as many as are timed, alone and as processes.
-        work(self.pixels(), self.effort.reference_samples) + settings * (3 + 2 * self.rounds())
+        let before = work(self.pixels(), self.effort.reference_samples) + self.pixels() * Hidden::work();
+        before + settings * (3 + 2 * self.rounds())
     }
 
     fn pixels(&self) -> u64 {
@@ -142,10 +144,11 @@ impl Bench<'_> {
             self.watch,
             self.counter,
         )?;
+        let hidden = Hidden::of(self.scene, self.watch, self.counter)?;
         let mut notes = Vec::new();
         let mut tried = Vec::new();
         for rung in ladder(self.scene, &self.effort, self.device) {
-            match self.try_out(&rung) {
+            match self.try_out(&rung, &hidden) {
                 Ok((picture, bound)) => tried.push((rung, picture, bound)),
                 Err(TraceError::Failed(reason)) => notes.push(format!("{}, {}: {reason}", rung.family, rung.knob)),
                 Err(error) => return Err(error),
@@ -174,9 +177,9 @@ impl Bench<'_> {
         Ok(report)
     }
 
-    fn try_out(&self, rung: &Rung) -> Result<(Trial, Bound), TraceError> {
+    fn try_out(&self, rung: &Rung, hidden: &Hidden) -> Result<(Trial, Bound), TraceError> {
         let traced = trial(self.scene, &rung.setting, self.watch)?;
-        let bound = bound(self.scene, &rung.setting, &traced, self.watch)?;
+        let bound = bound(self.scene, &rung.setting, &traced, hidden, self.watch)?;
         self.counter.advance(3 * self.pictures(&rung.setting));
         Ok((traced, bound))
     }
