@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 
-use scenec_lint::{PRELUDE, Page, check, page, pages};
+use scenec_lint::{PRELUDE, check, page, pages};
 use scenec_tests::root;
 use scenec_text::{Code, Severity, SourceFile};
 
@@ -57,16 +57,10 @@ fn the_settings_that_the_examples_leave_out_are_clean() {
     assert_eq!(codes(&format!("{PRELUDE}!ball := sphere\n!ball <=\n")), []);
 }
 
-fn file(page: &Page) -> String {
-    format!("{}-{}.md", page.code.id().to_lowercase(), page.name())
-}
-
 /// The files of the manual by name.
 fn manual() -> BTreeMap<String, String> {
-    let mut files: BTreeMap<_, _> = pages()
-        .iter()
-        .map(|page| (file(page), format!("# {}\n\n{}", page.title(), page.text())))
-        .collect();
+    let pages = pages();
+    let mut files: BTreeMap<_, _> = pages.iter().map(|page| (page.file_name(), page.whole())).collect();
     let mut index = String::from(
         "# Rules\n\nWhat `scenec check` finds. `scenec explain CODE` prints a page. Errors keep a file from being rendered; \
          warnings and hints\ncan be silenced by a comment, `/ scenec: allow W012, W013`, at the end of a line, on a line of \
@@ -78,9 +72,9 @@ fn manual() -> BTreeMap<String, String> {
         (Severity::Hint, "Hints"),
     ] {
         index.push_str(&format!("\n## {title}\n\n| code | finds |\n|---|---|\n"));
-        for page in pages().iter().filter(|page| page.code.severity() == severity) {
+        for page in pages.iter().filter(|page| page.code.severity() == severity) {
             let (id, finds) = (page.code.id(), page.code.summary().trim_end_matches('.'));
-            index.push_str(&format!("| [{id}]({}) | {finds} |\n", file(page)));
+            index.push_str(&format!("| [{id}]({}) | {finds} |\n", page.file_name()));
         }
     }
     index.push_str(&format!(

@@ -53,6 +53,7 @@ pub use navigate::{Target, definition, references};
 pub use outline::{OutlineItem, OutlineKind, outline};
 pub use pick::{object_at, statement_of};
 pub use rename::{RenameError, Renameable, prepare_rename, rename};
+pub use scenec_lint::{Page, page};
 pub use scenec_syntax::{FormatStyle, Refused};
 pub use select::selections;
 pub use signature::{Parameter, Signature, signature};

@@ -38,6 +38,18 @@ impl Page {
         name
     }
 
+    /// The name of the page as a file, such as `w012-unused-object.md`.
+    #[must_use]
+    pub fn file_name(&self) -> String {
+        format!("{}-{}.md", self.code.id().to_lowercase(), self.name())
+    }
+
+    /// The whole page in Markdown: the heading, then [`Page::text`].
+    #[must_use]
+    pub fn whole(&self) -> String {
+        format!("# {}\n\n{}", self.title(), self.text())
+    }
+
     /// The page in Markdown, without its heading: what is found and why it matters, then `## Example` and `## Fixed`.
     #[must_use]
     pub fn text(&self) -> String {

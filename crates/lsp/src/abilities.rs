@@ -43,6 +43,8 @@ pub(crate) struct Abilities {
     pub(crate) refreshes_lenses: bool,
     /// Findings may name related places.
     pub(crate) related: bool,
+    /// The codes of findings may be links.
+    pub(crate) code_links: bool,
     /// Findings may be tagged.
     pub(crate) tags: bool,
     /// It answers questions about its settings.
@@ -114,6 +116,7 @@ impl Abilities {
         self.pulls = document.diagnostic.is_some();
         if let Some(findings) = &document.publish_diagnostics {
             self.related = findings.related_information == Some(true);
+            self.code_links = findings.code_description_support == Some(true);
             self.tags = findings.tag_support.is_some();
         }
         if let Some(hover) = &document.hover {

@@ -1,10 +1,16 @@
 //! What becomes of one message before the protocol library sees it.
 //!
-//! The library ends for good at a body that it can't decode, so none reaches it. It must not know what a method does.
+//! The library ends for good at a body that it can't decode, so none reaches it. It must not know what a method does; the
+//! greeting alone is told apart, since newer clients say more in it than the library reads.
 
 use std::borrow::Cow;
 
 use tower_lsp::jsonrpc::{Request, Response};
+
+use crate::newer::say_again;
+
+/// The method of the greeting.
+const GREETING: &str = "initialize";
 
 /// A message that can be decoded.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -47,16 +53,23 @@ fn finish(request: Request, body: Vec<u8>) -> Result<Message, String> {
         };
     }
     let structured = |params: &serde_json::Value| params.is_object() || params.is_array();
-    if request.params().is_none_or(structured) {
+    let whole = request.params().is_none_or(structured);
+    if whole && method != GREETING {
         return Ok(Message { body, method });
     }
-    let (_, id, _) = request.into_parts();
-    let bare = Request::build(method.clone());
-    let bare = match id {
-        Some(id) => bare.id(id).finish(),
-        None => bare.finish(),
-    };
-    let body = serde_json::to_vec(&bare).map_err(|error| error.to_string())?;
+    let (_, id, params) = request.into_parts();
+    let mut params = params.filter(structured);
+    if whole && !params.as_mut().is_some_and(say_again) {
+        return Ok(Message { body, method });
+    }
+    let mut mended = Request::build(method.clone());
+    if let Some(id) = id {
+        mended = mended.id(id);
+    }
+    if let Some(params) = params {
+        mended = mended.params(params);
+    }
+    let body = serde_json::to_vec(&mended.finish()).map_err(|error| error.to_string())?;
     Ok(Message { body, method })
 }
 
@@ -144,6 +157,23 @@ mod tests {
             r#"{"jsonrpc":"2.0","method":"exit","params":null}"#,
             Ok((r#"{"jsonrpc":"2.0","method":"exit"}"#, "exit")),
         );
+    }
+
+    #[test]
+    fn a_greeting_of_a_newer_client_is_said_as_an_older_one_says_it() {
+        let with = |more: &str| {
+            let document = format!(r#"{{"diagnostic":{{"codeDescriptionSupport":true}}{more}}}"#);
+            let params = format!(r#"{{"capabilities":{{"textDocument":{document}}}}}"#);
+            format!(r#"{{"jsonrpc":"2.0","method":"initialize","params":{params},"id":1}}"#)
+        };
+        let whole = with(r#","publishDiagnostics":{"codeDescriptionSupport":true}"#);
+        check(with(""), Ok((&whole, "initialize")));
+        same(&whole, "initialize");
+        same(
+            r#"{"jsonrpc":"2.0", "id":1,"method":"initialize","params":{}}"#,
+            "initialize",
+        );
+        same(r#"{"jsonrpc":"2.0","id":1,"method":"initialize"}"#, "initialize");
     }
 
     #[test]

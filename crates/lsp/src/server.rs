@@ -15,6 +15,7 @@ use crate::convert::Known;
 use crate::documents::{Documents, lock};
 use crate::log::Log;
 use crate::options::Options;
+use crate::pages::Pages;
 use crate::pictures::Pictures;
 use crate::publisher::Publisher;
 use crate::settings::Settings;
@@ -29,6 +30,7 @@ pub(crate) struct Server {
     pub(crate) publisher: Arc<Publisher>,
     pub(crate) log: Log,
     pub(crate) pictures: Arc<Pictures>,
+    pages: Arc<Pages>,
     settings: Arc<Mutex<Arc<Settings>>>,
     abilities: Arc<OnceLock<Abilities>>,
     told: Arc<Mutex<HashSet<String>>>,
@@ -41,6 +43,7 @@ impl Server {
     pub(crate) fn new(client: Client, options: Options, process: watch::Sender<Option<u32>>) -> Self {
         Self {
             pictures: Arc::new(Pictures::new(&client, &options)),
+            pages: Arc::new(Pages::of_user()),
             client,
             process: Arc::new(process),
             log: Log { on: options.log },
@@ -143,6 +146,7 @@ impl Server {
             abilities: self.abilities(),
             settings: self.settings(),
             options: Arc::clone(&self.options),
+            pages: Arc::clone(&self.pages),
             known: Cell::new(Known::default()),
         };
         aside(move || work(&view)).await.map(Some)

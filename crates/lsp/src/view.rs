@@ -14,6 +14,7 @@ use tower_lsp::lsp_types::{
 use crate::abilities::Abilities;
 use crate::convert::{self, Known};
 use crate::options::{FileOptions, Options};
+use crate::pages::Pages;
 use crate::settings::Settings;
 
 /// A document and what a handler needs beside it.
@@ -27,6 +28,7 @@ pub(crate) struct View {
     pub(crate) abilities: Abilities,
     pub(crate) settings: Arc<Settings>,
     pub(crate) options: Arc<Options>,
+    pub(crate) pages: Arc<Pages>,
     /// Where the last conversion ended: most places are asked for in order.
     pub(crate) known: Cell<Known>,
 }

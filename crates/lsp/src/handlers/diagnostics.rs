@@ -5,7 +5,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use scenec_text::{Code, Diagnostic, Severity};
 use tower_lsp::jsonrpc::Result;
 use tower_lsp::lsp_types::{
-    self, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag, DocumentDiagnosticParams,
+    self, CodeDescription, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag, DocumentDiagnosticParams,
     DocumentDiagnosticReport, DocumentDiagnosticReportResult, FullDocumentDiagnosticReport, NumberOrString,
     RelatedFullDocumentDiagnosticReport, RelatedUnchangedDocumentDiagnosticReport, UnchangedDocumentDiagnosticReport,
 };
@@ -104,12 +104,17 @@ pub(crate) fn finding(view: &View, found: &Diagnostic, severity: Severity) -> ls
             Severity::Hint => DiagnosticSeverity::HINT,
         }),
         code: Some(NumberOrString::String(found.code.id().to_owned())),
+        code_description: view.abilities.code_links.then(|| link(view, found.code)).flatten(),
         source: Some(SOURCE.to_owned()),
         message: message.join("\n"),
         related_information: (view.abilities.related && !related.is_empty()).then_some(related),
         tags: (view.abilities.tags && !tags.is_empty()).then_some(tags),
         ..lsp_types::Diagnostic::default()
     }
+}
+
+fn link(view: &View, code: Code) -> Option<CodeDescription> {
+    view.pages.link(code).map(|href| CodeDescription { href })
 }
 
 /// What is dropped, or could be, is shown faded: statements that were ignored, and those whose repair is to remove them.

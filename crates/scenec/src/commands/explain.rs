@@ -77,10 +77,7 @@ fn find(word: &str) -> Result<Page, String> {
 fn written(pages: &[Page], format: Format) -> String {
     match format {
         Format::Text => {
-            let pages: Vec<_> = pages
-                .iter()
-                .map(|page| format!("# {}\n\n{}", page.title(), page.text()))
-                .collect();
+            let pages: Vec<_> = pages.iter().map(Page::whole).collect();
             pages.join("\n")
         }
         Format::Json => {

@@ -1,6 +1,7 @@
 //! A client that says just what a test wants said, and never waits for long.
 
 use std::collections::VecDeque;
+use std::ffi::OsStr;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::mpsc::{Receiver, channel};
@@ -24,9 +25,14 @@ pub(crate) struct Client {
 }
 
 impl Client {
-    /// Starts a server and says nothing yet.
+    /// Starts a server that leaves nothing behind, and says nothing yet.
     pub(crate) fn new() -> Self {
-        Self::with(&mut Command::new(env!("CARGO_BIN_EXE_scenec")))
+        Self::keeping("off")
+    }
+
+    /// Starts a server with a place for what it wants to keep.
+    pub(crate) fn keeping(cache: impl AsRef<OsStr>) -> Self {
+        Self::with(Command::new(env!("CARGO_BIN_EXE_scenec")).env("SCENEC_CACHE_DIR", cache))
     }
 
     /// Starts a server by a command that lacks only its arguments.

@@ -86,6 +86,68 @@ fn a_finding_tells_what_the_client_can_show() {
     plain.farewell();
 }
 
+/// The link of the only finding of a text, for a client of these capabilities.
+fn link(mut client: Client, text_document: Value) -> Option<String> {
+    client.greet(json!({"capabilities": {"textDocument": text_document}}));
+    client.open(URI, "!s := cube\n!s <=\n");
+    let found = if text_document["diagnostic"].is_object() {
+        client.findings(URI)
+    } else {
+        client.notification("textDocument/publishDiagnostics")["diagnostics"].take()
+    };
+    client.farewell();
+    let found = found.as_array().unwrap().iter().find(|one| one["code"] == "E008");
+    Some(found.unwrap()["codeDescription"]["href"].as_str()?.to_owned())
+}
+
+#[test]
+fn a_code_is_a_link_to_its_page_where_the_client_can_follow_it() {
+    let folder = tempfile::tempdir().unwrap();
+    // Whatever is odd in the name of a folder is odd in the address of a file.
+    let cache = folder.path().join("für Seiten, 100% #2");
+    let wanted = json!({"codeDescriptionSupport": true});
+    for ability in [
+        json!({"publishDiagnostics": wanted}),
+        json!({"publishDiagnostics": wanted, "diagnostic": {}}),
+        json!({"diagnostic": wanted}),
+    ] {
+        let href = link(Client::keeping(&cache), ability).unwrap();
+        let (rest, name) = href.rsplit_once('/').unwrap();
+        let (rest, version) = rest.rsplit_once('/').unwrap();
+        assert_eq!(
+            (name, version),
+            ("e008-unknown-base.md", env!("CARGO_PKG_VERSION")),
+            "{href}"
+        );
+        assert!(rest.starts_with("file:///"), "{href}");
+        assert!(rest.ends_with("/f%C3%BCr%20Seiten,%20100%25%20%232/rules"), "{href}");
+        let page = std::fs::read_to_string(cache.join("rules").join(version).join(name)).unwrap();
+        let explained = std::process::Command::new(env!("CARGO_BIN_EXE_scenec"))
+            .args(["explain", "E008"])
+            .output()
+            .unwrap();
+        assert_eq!(page.as_bytes(), explained.stdout);
+    }
+}
+
+#[test]
+fn a_code_is_no_link_where_nobody_could_follow_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let cache = folder.path().join("cache");
+    for ability in [
+        json!({}),
+        json!({"diagnostic": {}, "publishDiagnostics": {"codeDescriptionSupport": false}}),
+    ] {
+        assert_eq!(link(Client::keeping(&cache), ability), None);
+    }
+    assert!(!cache.exists(), "pages were written that nobody is sent to");
+    let wanted = json!({"diagnostic": {}, "publishDiagnostics": {"codeDescriptionSupport": true}});
+    assert_eq!(link(Client::keeping("off"), wanted.clone()), None);
+    // Nothing can be put into a file, whoever asks.
+    std::fs::write(&cache, "").unwrap();
+    assert_eq!(link(Client::keeping(&cache), wanted), None);
+}
+
 #[test]
 fn a_configuration_counts_and_is_watched() {
     let folder = tempfile::tempdir().unwrap();

@@ -8,8 +8,8 @@ import type { Middleware } from "vscode-languageclient/node";
 
 import type { Session } from "../server/session.ts";
 
+/** The manifest says that such pages are shown as they read. */
 const SCHEME = "scenec-rule";
-const COMMAND = "scenec.explain";
 
 /** Makes the codes of findings links, whichever way the findings come. */
 export const linksToPages: Middleware = {
@@ -22,35 +22,28 @@ export const linksToPages: Middleware = {
   },
 };
 
+/**
+ * The link of a finding. The server's own leads to a file, which would be shown as it is written, and could be changed; this
+ * one is shown as it reads. It can't be a command: a hover follows none.
+ */
 function link(finding: vscode.Diagnostic): vscode.Diagnostic {
-  if (typeof finding.code === "string") {
-    const target = vscode.Uri.from({
-      scheme: "command",
-      path: COMMAND,
-      query: JSON.stringify([finding.code]),
-    });
-    finding.code = { value: finding.code, target };
+  const value = typeof finding.code === "object" ? finding.code.value : finding.code;
+  if (typeof value === "string") {
+    finding.code = { value, target: vscode.Uri.from({ scheme: SCHEME, path: `/${value}.md` }) };
   }
   return finding;
 }
 
-/** Offers the pages, and the command that shows one. */
+/** Offers the pages. */
 export function rulePages(session: Session): vscode.Disposable {
-  const provider = vscode.workspace.registerTextDocumentContentProvider(SCHEME, {
+  return vscode.workspace.registerTextDocumentContentProvider(SCHEME, {
     async provideTextDocumentContent(page) {
       const server = session.locate();
       if (!server.found) {
         return server.reason;
       }
-      const rule = page.path.replace(/\.md$/, "");
-      return (await promisify(execFile)(server.file, ["explain", rule])).stdout;
+      const rule = page.path.match(/^\/([A-Z]\d{3})\.md$/)?.[1];
+      return rule && (await promisify(execFile)(server.file, ["explain", rule])).stdout;
     },
   });
-  const command = vscode.commands.registerCommand(COMMAND, async (code: unknown) => {
-    if (typeof code === "string" && /^[A-Z]\d{3}$/.test(code)) {
-      const page = vscode.Uri.from({ scheme: SCHEME, path: `${code}.md` });
-      await vscode.commands.executeCommand("markdown.showPreviewToSide", page);
-    }
-  });
-  return vscode.Disposable.from(provider, command);
 }
