@@ -5,7 +5,7 @@
 use scenec_measure::{Bench, Bound, Effort, Report, csv, page, png, svg};
 use scenec_picture::{TraceError, Watch};
 use scenec_scene::Scene;
-use scenec_tests::{gallery, random_scene, scene};
+use scenec_tests::{device, gallery, random_scene, scene};
 
 /// All families in a second or so.
 const EFFORT: Effort = Effort {
@@ -112,6 +112,33 @@ fn a_picture_that_is_more_wrong_than_it_says_is_a_defect() {
         ["samples 1"]
     );
     assert!(page(&[("small".to_owned(), report)], |_| String::new()).contains("**DEFECT**"));
+}
+
+#[test]
+fn of_fast_math_nothing_is_promised() {
+    let Some(device) = device() else {
+        return;
+    };
+    let (watch, counter, scene) = (Watch::new(), Watch::new(), small());
+    let bench = Bench {
+        device: Some(device),
+        ..bench(&scene, TINY, &watch, &counter)
+    };
+    let mut report = bench.run(&mut |_, _| Ok(1.0)).unwrap();
+    assert_eq!(report.defects().count(), 0);
+    let fast = |row: &scenec_measure::Row| row.family == "opencl fast-math f32";
+    let place = report.rows.iter().position(fast).unwrap();
+    // However wrong it is, and however quick.
+    let row = &mut report.rows[place];
+    assert!(!row.front && row.tracer.contains("fast-math"), "{}", row.tracer);
+    row.figures.max_abs = row.bound.max + report.truth.own_max + 1.0;
+    let row = &report.rows[place];
+    assert!(report.is_unpromised(row) && !report.is_defect(row));
+    let text = page(&[("small".to_owned(), report)], |_| String::new());
+    assert!(
+        text.contains("not promised |") && !text.contains("**DEFECT**"),
+        "{text}"
+    );
 }
 
 #[test]

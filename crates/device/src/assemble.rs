@@ -76,6 +76,12 @@ pub fn options(info: &DeviceInfo, precision: Precision) -> String {
     format!("-cl-std=CL1.2 -cl-denorms-are-zero{divide}")
 }
 
+/// The same with leave to round as the compiler likes, and to take every number for a finite one. What comes of that is
+/// promised by nobody.
+pub(crate) fn relaxed_options() -> String {
+    "-cl-std=CL1.2 -cl-fast-relaxed-math".to_owned()
+}
+
 fn prelude(precision: Precision) -> String {
     // A compiler that fuses on its own would fuse differently in a specialised program than in the general one.
     let mut text = String::from("#pragma OPENCL FP_CONTRACT OFF\n");

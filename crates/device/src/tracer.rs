@@ -6,7 +6,7 @@ use scenec_picture::{Exact, Frame, NOTHING, Picture, Request, Stats, TraceError,
 use scenec_plan::packed_structs::{self, Outcome};
 use scenec_plan::{Features, Packed, Plan, Real, in_doubles, in_singles};
 
-use crate::assemble::{Precision, options, source};
+use crate::assemble::{Precision, options, relaxed_options, source};
 use crate::buffer::{Arg, Buffer};
 use crate::calls::Plain;
 use crate::error::DeviceError;
@@ -30,8 +30,8 @@ pub fn tracer(
     features: &Features,
 ) -> Result<Box<dyn Tracer>, DeviceError> {
     Ok(match precision {
-        Precision::F32 => Box::new(OpenCl::<f32>::new(info, plan, precision, features)?),
-        Precision::F64 if info.has_f64 => Box::new(OpenCl::<f64>::new(info, plan, precision, features)?),
+        Precision::F32 => Box::new(OpenCl::<f32>::new(info, plan, precision, features, Math::Strict)?),
+        Precision::F64 if info.has_f64 => Box::new(OpenCl::<f64>::new(info, plan, precision, features, Math::Strict)?),
         Precision::F64 => {
             return Err(DeviceError::new(format!("{} has no doubles", info.name))
                 .with_help("leave out --precision f64, or use --device cpu"));
@@ -39,10 +39,28 @@ pub fn tracer(
     })
 }
 
+/// The same in singles, with a program for which the compiler need not keep to the rules of arithmetic (fast-math): to see what
+/// that would gain, and what it costs. Its pictures may be wrong anywhere.
+///
+/// # Errors
+/// The device fails, or can't hold the scene.
+pub fn relaxed_tracer(info: &DeviceInfo, plan: &Plan, features: &Features) -> Result<Box<dyn Tracer>, DeviceError> {
+    let tracer = OpenCl::<f32>::new(info, plan, Precision::F32, features, Math::Relaxed)?;
+    Ok(Box::new(tracer))
+}
+
+/// What the compiler may do with numbers.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Math {
+    Strict,
+    Relaxed,
+}
+
 struct OpenCl<R> {
     session: Session,
     program: Program,
     precision: Precision,
+    math: Math,
     frame: packed_structs::Frame<R>,
     scene: Scene<R>,
 }
@@ -83,23 +101,31 @@ impl<R: Real + Plain> Scene<R> {
 }
 
 impl<R: Real + Plain> OpenCl<R> {
-    fn new(info: &DeviceInfo, plan: &Plan, precision: Precision, features: &Features) -> Result<Self, DeviceError> {
+    fn new(
+        info: &DeviceInfo,
+        plan: &Plan,
+        precision: Precision,
+        features: &Features,
+        math: Math,
+    ) -> Result<Self, DeviceError> {
         let begin = Instant::now();
         let session = Session::open(info)?;
         let packed = plan.packed::<R>();
-        let program = session.build(&source(precision, features), &options(info, precision))?;
+        let options = match math {
+            Math::Strict => options(info, precision),
+            Math::Relaxed => relaxed_options(),
+        };
+        let program = session.build(&source(precision, features), &options)?;
         let scene = Scene::upload(&session, &packed)?;
-        let compiled = program.compiled().unwrap_or_default();
-        known::remember_start(
-            info,
-            precision,
-            begin.elapsed().saturating_sub(compiled),
-            program.compiled(),
-        );
+        if math == Math::Strict {
+            let starting = begin.elapsed().saturating_sub(program.compiled().unwrap_or_default());
+            known::remember_start(info, precision, starting, program.compiled());
+        }
         Ok(Self {
             session,
             program,
             precision,
+            math,
             frame: packed.frame,
             scene,
         })
@@ -153,7 +179,11 @@ impl<R: Real + Plain> OpenCl<R> {
 impl<R: Real + Plain> Tracer for OpenCl<R> {
     fn name(&self) -> String {
         let info = self.session.device();
-        format!("opencl {} {} ({})", self.precision, info.name, info.platform)
+        let math = match self.math {
+            Math::Strict => "",
+            Math::Relaxed => " fast-math",
+        };
+        format!("opencl {}{math} {} ({})", self.precision, info.name, info.platform)
     }
 
     fn trace(&mut self, request: &Request<'_>) -> Result<Frame, TraceError> {

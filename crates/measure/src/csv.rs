@@ -49,6 +49,7 @@ const COLUMNS: &[Column] = &[
     ("limited", |_, row| row.limited.to_string()),
     ("front", |_, row| row.front.to_string()),
     ("defect", |report, row| report.is_defect(row).to_string()),
+    ("unpromised", |report, row| report.is_unpromised(row).to_string()),
 ];
 
 /// One line for each row of each named report, below a line of names (RFC 4180, with bare line feeds).

@@ -5,7 +5,7 @@ use scenec_picture::Limits;
 use scenec_scene::Scene;
 
 use crate::effort::{Effort, depths};
-use crate::setting::{Machine, Setting};
+use crate::setting::{Machine, Program, Setting};
 
 /// A step of a family.
 #[derive(Clone, PartialEq, Debug)]
@@ -22,13 +22,14 @@ pub(crate) struct Rung {
 pub(crate) fn ladder(scene: &Scene, effort: &Effort, device: Option<&DeviceInfo>) -> Vec<Rung> {
     let mut machines = vec![(Machine::Cpu, Precision::F32), (Machine::Cpu, Precision::F64)];
     if let Some(device) = device {
-        let on = |general| Machine::OpenCl {
+        let on = |program| Machine::OpenCl {
             device: device.clone(),
-            general,
+            program,
         };
-        machines.extend([(on(false), Precision::F32), (on(true), Precision::F32)]);
+        machines
+            .extend([Program::Made, Program::General, Program::FastMath].map(|program| (on(program), Precision::F32)));
         if device.has_f64 {
-            machines.push((on(false), Precision::F64));
+            machines.push((on(Program::Made), Precision::F64));
         }
     }
     let raydepth = scene.settings.raydepth;

@@ -33,7 +33,7 @@ pub use doubt::{Doubt, doubts};
 pub use effort::Effort;
 pub use page::page;
 pub use run::{Bench, Process, Report, Row, Start};
-pub use setting::{Machine, Setting};
+pub use setting::{Machine, Program, Setting};
 pub use timing::Times;
 pub use tolerance::{Achieved, Tolerance};
 pub use truth::Truth;

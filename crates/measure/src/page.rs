@@ -13,7 +13,8 @@ Kernel times are the median of the warm runs ± the median distance from it, pro
 write a file. RMSE, max and p99 are distances from the reference, of colour components. The bound is on the worst
 component of the worst pixel: what was cut off (proven), and roundings and missing samples (estimated). On the *front* is
 what no other row beats in both kernel time and RMSE. *Reference-limited* rows are so close that the reference's own
-error shows in them. A *DEFECT* is more wrong than its bound and the reference's own error together.\n";
+error shows in them. A *DEFECT* is more wrong than its bound and the reference's own error together. Of *fast-math*, which
+is there for comparison, nothing is promised: where it is so wrong, that is only said, and it is on no front.\n";
 
 /// The page of these named reports; `diagram` is the file of each one's diagram.
 #[must_use]
@@ -66,6 +67,7 @@ fn line(text: &mut String, report: &Report, row: &Row) -> std::fmt::Result {
     let ms = |seconds: f64| format!("{:.2}", seconds * 1e3);
     let words = [
         (report.is_defect(row), "**DEFECT**"),
+        (report.is_unpromised(row), "not promised"),
         (row.front, "front"),
         (row.limited, "reference-limited"),
     ];

@@ -82,7 +82,7 @@ pub struct Row {
     pub flip: f64,
     /// How wrong it may be.
     pub bound: Bound,
-    /// Whether no other row is both quicker and less wrong.
+    /// Whether it promises something, and no other row that does is both quicker and less wrong.
     pub front: bool,
     /// Whether the reference is not good enough to tell: its own error is more than a third of the row's.
     pub limited: bool,
@@ -91,9 +91,20 @@ pub struct Row {
 }
 
 impl Report {
-    /// Whether a row is more wrong than it says it may be, what the reference may be wrong left aside.
+    /// Whether a row is more wrong than it says it may be, what the reference may be wrong left aside. Of a row that
+    /// promises nothing that is no defect.
     #[must_use]
     pub fn is_defect(&self, row: &Row) -> bool {
+        row.setting.machine.promises() && self.is_beyond(row)
+    }
+
+    /// Whether a row that promises nothing is more wrong than it would be allowed to be if it did.
+    #[must_use]
+    pub fn is_unpromised(&self, row: &Row) -> bool {
+        !row.setting.machine.promises() && self.is_beyond(row)
+    }
+
+    fn is_beyond(&self, row: &Row) -> bool {
         let strange = row.figures.non_finite > 0;
         strange || row.figures.max_abs > row.bound.max + self.truth.own_max
     }
@@ -166,12 +177,10 @@ impl Bench<'_> {
             let row = row(rung, traced, bound, kernel, process, &report.truth)?;
             report.rows.push(row);
         }
-        let points: Vec<_> = report
-            .rows
-            .iter()
-            .map(|row| (row.kernel.median, row.figures.rmse))
-            .collect();
-        for (row, front) in report.rows.iter_mut().zip(front(&points)) {
+        let promised = || report.rows.iter().filter(|row| row.setting.machine.promises());
+        let points: Vec<_> = promised().map(|row| (row.kernel.median, row.figures.rmse)).collect();
+        let promised = report.rows.iter_mut().filter(|row| row.setting.machine.promises());
+        for (row, front) in promised.zip(front(&points)) {
             row.front = front;
         }
         Ok(report)

@@ -9,13 +9,25 @@ use scenec_scene::Scene;
 pub enum Machine {
     /// The built-in tracer.
     Cpu,
-    /// An OpenCL device, with a program made for the scene, or with one that serves any scene.
+    /// An OpenCL device.
     OpenCl {
         /// Which.
         device: DeviceInfo,
-        /// Whether the program serves any scene.
-        general: bool,
+        /// What it runs.
+        program: Program,
     },
+}
+
+/// What an OpenCL device runs.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Program {
+    /// One that is made for the scene.
+    Made,
+    /// One that serves any scene.
+    General,
+    /// One that is made for the scene by a compiler that need not keep to the rules of arithmetic, in singles. Nothing is
+    /// promised of its pictures; it is there for comparison.
+    FastMath,
 }
 
 impl Machine {
@@ -24,9 +36,24 @@ impl Machine {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Cpu => "cpu",
-            Self::OpenCl { general: false, .. } => "opencl",
-            Self::OpenCl { general: true, .. } => "opencl general",
+            Self::OpenCl { program, .. } => match program {
+                Program::Made => "opencl",
+                Program::General => "opencl general",
+                Program::FastMath => "opencl fast-math",
+            },
         }
+    }
+
+    /// Whether what it computes is known to be within a bound.
+    #[must_use]
+    pub fn promises(&self) -> bool {
+        !matches!(
+            self,
+            Self::OpenCl {
+                program: Program::FastMath,
+                ..
+            }
+        )
     }
 }
 

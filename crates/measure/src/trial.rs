@@ -3,12 +3,12 @@
 use std::time::Instant;
 
 use scenec_cpu::Cpu;
-use scenec_device::{Precision, tracer};
+use scenec_device::{Precision, relaxed_tracer, tracer};
 use scenec_picture::{Frame, Layers, Request, TraceError, Tracer, Watch, Window};
 use scenec_plan::{Features, Plan, plan};
 use scenec_scene::Scene;
 
-use crate::setting::{Machine, Setting};
+use crate::setting::{Machine, Program, Setting};
 
 /// What came of it.
 pub(crate) struct Trial {
@@ -52,13 +52,11 @@ fn tracer_of(setting: &Setting, plan: &Plan) -> Result<Box<dyn Tracer>, TraceErr
     match (&setting.machine, setting.precision) {
         (Machine::Cpu, Precision::F32) => Ok(Box::new(Cpu::<f32>::new(plan, 0)?)),
         (Machine::Cpu, Precision::F64) => Ok(Box::new(Cpu::<f64>::new(plan, 0)?)),
-        (Machine::OpenCl { device, general }, precision) => {
-            let features = if *general {
-                Features::generic(plan)
-            } else {
-                Features::of(plan)
-            };
-            tracer(device, plan, precision, &features).map_err(|error| TraceError::Failed(error.to_string()))
+        (Machine::OpenCl { device, program }, precision) => match program {
+            Program::Made => tracer(device, plan, precision, &Features::of(plan)),
+            Program::General => tracer(device, plan, precision, &Features::generic(plan)),
+            Program::FastMath => relaxed_tracer(device, plan, &Features::of(plan)),
         }
+        .map_err(|error| TraceError::Failed(error.to_string())),
     }
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
-use scenec_measure::{Machine, Setting, Start};
+use scenec_measure::{Machine, Program, Setting, Start};
 use scenec_picture::{TraceError, Watch};
 use tempfile::TempDir;
 
@@ -70,9 +70,9 @@ impl<'a> Renders<'a> {
     }
 
     fn arguments(&self, setting: &Setting) -> Vec<OsString> {
-        let (device, general) = match &setting.machine {
-            Machine::Cpu => ("cpu".to_owned(), false),
-            Machine::OpenCl { device, general } => (format!("opencl:{}", device.index), *general),
+        let (device, program) = match &setting.machine {
+            Machine::Cpu => ("cpu".to_owned(), Program::Made),
+            Machine::OpenCl { device, program } => (format!("opencl:{}", device.index), *program),
         };
         let mut words = vec!["--quiet".to_owned()];
         for (option, value) in [
@@ -85,7 +85,11 @@ impl<'a> Renders<'a> {
         ] {
             words.extend([option.to_owned(), value]);
         }
-        words.extend(general.then(|| "--generic".to_owned()));
+        words.extend(match program {
+            Program::Made => None,
+            Program::General => Some("--generic".to_owned()),
+            Program::FastMath => Some("--fast-math".to_owned()),
+        });
         words.into_iter().map(OsString::from).collect()
     }
 }

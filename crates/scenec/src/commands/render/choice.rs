@@ -41,6 +41,9 @@ pub(crate) struct MachineOptions {
     /// Use OpenCL kernels that serve any scene, not only this one
     #[arg(long, hide = true)]
     generic: bool,
+    /// Let the compiler of OpenCL kernels in f32 break the rules of arithmetic, for comparison: nothing is promised then
+    #[arg(long, hide = true)]
+    fast_math: bool,
 }
 
 /// What computes.
@@ -66,7 +69,6 @@ impl Choice {
 }
 
 impl MachineOptions {
-    /// Whether the slow tracer was asked for, which goes without a plan.
     /// Refuses a tracer that can't tell how far samples are apart, as this option of the command line needs it.
     pub(super) fn must_be_own(&self, option: &str) -> Result<(), Failure> {
         match self.device {
@@ -83,6 +85,7 @@ impl MachineOptions {
         self.precision
     }
 
+    /// Whether the slow tracer was asked for, which goes without a plan.
     pub(crate) fn wants_reference(&self) -> bool {
         self.device == Choice::Reference
     }
@@ -95,6 +98,11 @@ impl MachineOptions {
     /// Whether another tracer may take over from a device that fails.
     pub(crate) fn may_change(&self) -> bool {
         self.device == Choice::Auto
+    }
+
+    /// Whether a device that was asked for itself is to break the rules of arithmetic, which only singles are worth.
+    pub(crate) fn fast_math(&self, precision: Precision) -> bool {
+        self.fast_math && precision == Precision::F32 && matches!(self.device, Choice::OpenCl(_))
     }
 
     /// Threads of the built-in tracers; 0 for as many as the machine has.

@@ -175,7 +175,11 @@ impl Attempt<'_> {
         nanoseconds: f64,
     ) -> Result<Traced, Failure> {
         let features = self.options.features_on(info, &plan, precision, nanoseconds);
-        let mut tracer = scenec_device::tracer(info, &plan, precision, &features)?;
+        let mut tracer = if self.options.fast_math(precision) {
+            scenec_device::relaxed_tracer(info, &plan, &features)?
+        } else {
+            scenec_device::tracer(info, &plan, precision, &features)?
+        };
         let outcome = self.finish(tracer.as_mut(), Some(plan), Some(features));
         drop(tracer);
         if let Ok(traced) = &outcome
