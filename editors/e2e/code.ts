@@ -28,6 +28,8 @@ export interface Code {
   set(settings: object): void;
   /** The processes of the extension's server. */
   servers(): number[];
+  /** The processes that draw for them. */
+  drawers(): number[];
   /** What the tests inside wrote: a line of JSON for each. */
   results(): string[];
   close(): Promise<void>;
@@ -98,7 +100,8 @@ export async function startCode(
       return page;
     },
     set,
-    servers: () => serversIn(root),
+    servers: () => processesIn(root, "lsp"),
+    drawers: () => processesIn(root, "preview-worker"),
     results: () => readFileSync(at("results"), "utf8").trimEnd().split("\n"),
     async close() {
       await browser.close();
@@ -142,12 +145,11 @@ async function listeningPort(server: ChildProcess): Promise<number> {
   throw new Error("the server ended before it listened");
 }
 
-/** The servers that were started from a folder's packaged extension. */
-function serversIn(root: string): number[] {
+/** What runs of the program in a folder's packaged extension. */
+function processesIn(root: string, command: string): number[] {
   const all = execFileSync("ps", ["-eo", "pid=,args="], { encoding: "utf8" }).split("\n");
-  return all
-    .filter(line => line.includes(root) && /server\/scenec lsp( |$)/.test(line))
-    .map(line => Number.parseInt(line, 10));
+  const program = new RegExp(`server/scenec ${command}( |$)`);
+  return all.filter(line => line.includes(root) && program.test(line)).map(line => Number.parseInt(line, 10));
 }
 
 /** Ends the server and everything that it started. */

@@ -120,16 +120,44 @@ for (const theme of ["Default High Contrast", "Default High Contrast Light"]) {
   });
 }
 
+/** Ends a process as soon as there is one. */
+async function kill(there: Window, what: string, processes: () => number[]): Promise<void> {
+  let one: number | undefined;
+  await there.until(what, async () => {
+    one = processes()[0];
+    return one !== undefined;
+  });
+  process.kill(one ?? 0, "SIGKILL");
+  await there.until(`its end: ${what}`, async () => !processes().includes(one ?? 0));
+}
+
+test("a drawing process that ends again and again is given up, and comes back with the server", async () => {
+  const there = await show("ball.scene");
+  await colour(there, HEAD + 1, "0 1 0");
+  const [server] = code.servers();
+  for (let ends = 0; ends < 5; ends++) {
+    await kill(there, `drawing process ${ends + 1}`, code.drawers);
+  }
+  const item = there.page.locator('.statusbar-item[id$="scenec.status"]');
+  const why = there.page.locator(".monaco-hover:visible", { hasText: "5 times in a row" });
+  await there.again(async () => {
+    await there.page.mouse.move(0, 0);
+    await item.hover();
+  }, why);
+  await shot(there.page, "given up");
+  // All else is as it was.
+  assert.deepEqual(code.servers(), [server]);
+  await swatch(there, "rgb(0, 255, 0)");
+  await there.run("Scene: Restart the Server");
+  await there.until("another server", async () => !code.servers().includes(server ?? 0));
+  await there.page.keyboard.press("Control+s");
+  await there.middle("a green ball", isGreen, await there.previewOf("ball.scene"));
+});
+
 test("a server that ends again and again is left alone, and snippets take its place", async () => {
   const there = await show("ball.scene");
   for (let ends = 0; ends < 5; ends++) {
-    let server: number | undefined;
-    await there.until(`server ${ends + 1}`, async () => {
-      server = code.servers()[0];
-      return server !== undefined;
-    });
-    process.kill(server ?? 0, "SIGKILL");
-    await there.until("its end", async () => !code.servers().includes(server ?? 0));
+    await kill(there, `server ${ends + 1}`, code.servers);
   }
   const message = there.page.locator(".notification-list-item", { hasText: "is left alone now" }).first();
   // A message goes out of sight after a while, and is kept behind the bell.
@@ -139,7 +167,7 @@ test("a server that ends again and again is left alone, and snippets take its pl
   assert.deepEqual(await offered(there), ["object"]);
   await there.run("Scene: Restart the Server");
   await there.until("a server", async () => code.servers().length === 1);
-  await swatch(there, "rgb(0, 0, 255)");
+  await swatch(there, "rgb(0, 255, 0)");
   assert.deepEqual(await offered(there), ["!x := sphere"]);
 });
 

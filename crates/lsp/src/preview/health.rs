@@ -66,7 +66,15 @@ impl Health {
     pub(super) fn refusal(&self, now: Instant) -> Option<String> {
         let left = self.not_before?.saturating_duration_since(now);
         let down = self.losses >= MOST_LOSSES && !left.is_zero();
-        down.then(|| format!("{}; it is tried again in {} s", self.why, left.as_secs() + 1))
+        down.then(|| format!("{}; it is tried again in {} s", self.trouble(), left.as_secs() + 1))
+    }
+
+    /// What went wrong last, and how often if that is why it is given up.
+    pub(super) fn trouble(&self) -> String {
+        if self.losses < MOST_LOSSES {
+            return self.why.clone();
+        }
+        format!("{}, {} times in a row", self.why, self.losses)
     }
 
     pub(super) fn forgive(&mut self) {
@@ -247,9 +255,13 @@ mod tests {
             now += SECOND * wait;
             assert!(health.may_start(false, now));
             assert_eq!(health.starting(), State::Restarting);
+            assert_eq!(health.trouble(), "gone");
         }
         assert_eq!(health.lost("gone", [].iter(), now), State::Down);
-        assert_eq!(health.refusal(now).as_deref(), Some("gone; it is tried again in 5 s"));
+        assert_eq!(
+            health.refusal(now).as_deref(),
+            Some("gone, 5 times in a row; it is tried again in 5 s")
+        );
         now += SECOND * 4;
         assert!(health.refusal(now).is_none() && !health.may_start(false, now) && health.may_start(true, now));
         health.drawn(&draw("cpu"));

@@ -328,17 +328,17 @@ impl Supervisor {
         let state = self
             .health
             .lost(why, failed.iter().map(|pending| &pending.task), Instant::now());
-        for pending in failed {
-            let message = why.to_owned();
+        let trouble = self.health.trouble();
+        let given_up = if state == State::Down {
+            std::mem::take(&mut self.jobs)
+        } else {
+            BTreeMap::new()
+        };
+        for pending in failed.into_iter().chain(given_up.into_values()) {
+            let message = trouble.clone();
             pending.say(News::Failed { message }, Vec::new());
         }
-        if state == State::Down {
-            for (_, pending) in std::mem::take(&mut self.jobs) {
-                let message = why.to_owned();
-                pending.say(News::Failed { message }, Vec::new());
-            }
-        }
-        self.status(state, Some(why.to_owned()));
+        self.status(state, Some(trouble));
     }
 
     fn status(&mut self, state: State, message: Option<String>) {

@@ -8,6 +8,8 @@ mod features;
 mod findings;
 mod frames;
 mod greetings;
+#[cfg(target_os = "linux")]
+mod losses;
 mod order;
 mod preview;
 mod synchronisation;

@@ -4,11 +4,11 @@ use serde_json::{Value, json};
 
 use crate::client::Client;
 
-const URI: &str = "file:///seed.scene";
-const SEED: &str = include_str!("../../../../scenes/seed.scene");
+pub(crate) const URI: &str = "file:///seed.scene";
+pub(crate) const SEED: &str = include_str!("../../../../scenes/seed.scene");
 
 /// A server with a document, which draws on the processor alone.
-fn drawing(text: &str) -> Client {
+pub(crate) fn drawing(text: &str) -> Client {
     let mut client = Client::new();
     let greeting = json!({"processId": null, "rootUri": null, "capabilities": {},
         "initializationOptions": {"device": "cpu"}});
@@ -17,18 +17,18 @@ fn drawing(text: &str) -> Client {
     client
 }
 
-fn wish(number: i64, quality: &str) -> Value {
+pub(crate) fn wish(number: i64, quality: &str) -> Value {
     json!({"textDocument": {"uri": URI}, "id": number, "size": {"width": 90, "height": 90}, "camera": null,
         "quality": quality})
 }
 
 /// So much to do that a test can step in.
-fn slow() -> String {
+pub(crate) fn slow() -> String {
     let large = SEED.replace("600.0", "2000").replace("400.0", "1500");
     format!("{large}\nsamples := 4096\n")
 }
 
-fn long(number: i64) -> Value {
+pub(crate) fn long(number: i64) -> Value {
     json!({"textDocument": {"uri": URI}, "id": number, "size": null, "camera": null, "quality": "full"})
 }
 
@@ -257,40 +257,5 @@ fn a_camera_is_written_into_the_text() {
     let edits = edit["changes"][URI].as_array().unwrap();
     let texts: Vec<&str> = edits.iter().filter_map(|edit| edit["newText"].as_str()).collect();
     assert_eq!(texts, ["1.5", "2", "3"], "{edit}");
-    client.farewell();
-}
-
-/// Whoever kills the process that draws takes no word of the editor with it.
-#[cfg(target_os = "linux")]
-#[test]
-fn the_process_that_draws_may_die() {
-    let mut client = drawing(&slow());
-    let picture = client.ask("scene/render", long(1));
-    client.notification("scene/frame");
-    let listed = std::process::Command::new("ps")
-        .args(["-o", "pid=", "--ppid", &client.process().to_string()])
-        .output();
-    let child = String::from_utf8(listed.unwrap().stdout).unwrap();
-    assert!(
-        std::process::Command::new("kill")
-            .args(["-KILL", child.trim()])
-            .status()
-            .unwrap()
-            .success()
-    );
-    let answer = client.answer(picture).unwrap();
-    assert_eq!(answer["outcome"], "failed");
-    assert!(
-        answer["error"]["message"]
-            .as_str()
-            .is_some_and(|why| why.contains("signal: 9")),
-        "{answer}"
-    );
-    while client.notification("scene/status")["state"] != "restarting" {}
-    client.change(URI, 2, json!([{"text": SEED}]));
-    assert_eq!(
-        client.request("scene/render", wish(2, "full")).unwrap()["outcome"],
-        "done"
-    );
     client.farewell();
 }
