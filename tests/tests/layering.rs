@@ -54,6 +54,7 @@ const ROOMS: &[Room] = &[
         &["scenec-plan", "scenec-picture"],
         &["fearless_simd", "rayon"],
     ),
+    room("scenec-memory", &[], &["libc"]),
     room("scenec-opencl-loader", &[], &["libloading"]),
     room("scenec-kernels", &[], &[]),
     room(
@@ -115,6 +116,7 @@ const ROOMS: &[Room] = &[
             "scenec-cpu",
             "scenec-device",
             "scenec-measure",
+            "scenec-memory",
         ],
         &[
             "ariadne",

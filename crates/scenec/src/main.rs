@@ -49,7 +49,11 @@ enum Command {
     PreviewWorker(commands::preview_worker::PreviewWorker),
 }
 
+#[global_allocator]
+static MEMORY: scenec_memory::Memory = scenec_memory::Memory;
+
 fn main() -> ExitCode {
+    scenec_memory::keep_freed();
     let exit = match Arguments::parse().command {
         Command::Check(check) => check.run(),
         Command::Fmt(fmt) => fmt.run(),

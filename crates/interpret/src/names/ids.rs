@@ -7,9 +7,13 @@ use hashbrown::DefaultHashBuilder;
 /// The fewest slots of a table that has any; of fewer than four a quarter could not be kept free.
 const FEWEST: usize = 16;
 
-/// How far apart the places of two names lie that differ by one in the last byte but one: as many as there are characters that
-/// mostly end a name, so that no other name takes them.
-const ROW: u32 = 64;
+/// Of the last two characters of a name four bits each move its place, and the other bits belong to its stem: digits differ in these
+/// four only.
+const MOVING: u8 = 0x0F;
+
+/// How far apart the places of two names lie that differ by one in the last byte but one. There are ten digits: names that count
+/// up lie without a gap.
+const ROW: u32 = 10;
 
 /// Places are the same above so many bits where names lie together; these times a number without a pattern, 2^32 over the
 /// golden ratio, are how far they give way to others.
@@ -18,31 +22,40 @@ const STRIDE: u32 = 0x9E37_79B9;
 
 /// The numbers of names, by what the names hash to; it does not hold the names themselves.
 ///
-/// A name's place is that of its stem, which is all but its last two bytes, moved by these. Large files count their names up,
-/// and so those that follow one another lie together: ten of them wait for memory once, a hundred are on one page of it. The
-/// places of stems have a seed of their own for every run, which keeps a file from being made so that its names meet in
-/// one place.
+/// A name's place is that of its stem, which is the name without what tells the digits at its last two places, moved by these.
+/// Large files count their names up, and so those that follow one another lie together: a hundred of them lie in a row, which the
+/// processor reads ahead. The places of stems have a seed of their own for every run, which keeps a file from being made so
+/// that its names meet in one place.
 #[derive(Default)]
 pub(super) struct Ids {
     /// A power of two of them, or none; at least a quarter is free, so that a search ends.
-    slots: Vec<Slot>,
+    slots: Vec<u64>,
     taken: usize,
     hashing: DefaultHashBuilder,
 }
 
-/// A name in eight bytes; mostly no look at the text is needed to tell it from another.
+/// A name in eight bytes, or nothing if all are 0; mostly no look at the text is needed to tell it from another.
+///
+/// The upper half is the place, the lower one the number and one: that fits, since a name is at least a byte of a text whose bytes
+/// do. A number and not a struct, for the system has zeros at hand and clears a page when it is touched.
 #[derive(Clone, Copy)]
-struct Slot {
-    place: u32,
-    /// Fits: a name is at least a byte of a text whose bytes do, and so does what stands for none.
-    id: u32,
-}
+struct Slot(u64);
 
 impl Slot {
-    const FREE: Self = Self { place: 0, id: u32::MAX };
+    const fn new(place: u32, id: usize) -> Self {
+        Self((place as u64) << 32 | (id as u64 + 1))
+    }
 
     const fn is_free(self) -> bool {
-        self.id == u32::MAX
+        self.0 == 0
+    }
+
+    const fn place(self) -> u32 {
+        (self.0 >> 32) as u32
+    }
+
+    const fn id(self) -> usize {
+        (self.0 as u32 - 1) as usize
     }
 }
 
@@ -70,7 +83,7 @@ impl Ids {
         match self.search(place, is) {
             Ok(id) => id,
             Err(free) => {
-                self.put(free, Slot { place, id: new as u32 });
+                self.put(free, Slot::new(place, new));
                 self.taken += 1;
                 new
             }
@@ -80,8 +93,13 @@ impl Ids {
     fn place(&self, name: &str) -> u32 {
         let (stem, end) = name.as_bytes().split_at(name.len().saturating_sub(2));
         let mut hasher = self.hashing.build_hasher();
+        let (mut still, mut moved) = (0, 0);
+        for byte in end {
+            still = still << 8 | u16::from(byte & !MOVING);
+            moved = moved * ROW + u32::from(byte & MOVING);
+        }
         hasher.write(stem);
-        let moved = end.iter().fold(0, |moved, byte| moved * ROW + u32::from(*byte));
+        hasher.write_u16(still);
         ((hasher.finish() >> 32) as u32).wrapping_add(moved)
     }
 
@@ -92,10 +110,14 @@ impl Ids {
         // Names that lie together give way to others together, and far, lest rows of them pile up. An odd stride comes by
         // every slot before it comes back.
         let stride = (place >> STRIDE_SHIFT).wrapping_mul(STRIDE) | 1;
-        while let Some(slot) = self.slots.get(at).filter(|slot| !slot.is_free()) {
-            let id = slot.id as usize;
-            if slot.place == place && is(id) {
-                return Ok(id);
+        while let Some(slot) = self
+            .slots
+            .get(at)
+            .map(|slot| Slot(*slot))
+            .filter(|slot| !slot.is_free())
+        {
+            if slot.place() == place && is(slot.id()) {
+                return Ok(slot.id());
             }
             at = at.wrapping_add(stride as usize) & mask;
         }
@@ -104,14 +126,14 @@ impl Ids {
 
     fn put(&mut self, at: usize, slot: Slot) {
         if let Some(free) = self.slots.get_mut(at) {
-            *free = slot;
+            *free = slot.0;
         }
     }
 
     fn grow(&mut self, count: usize) {
-        let before = std::mem::replace(&mut self.slots, vec![Slot::FREE; count]);
-        for slot in before.into_iter().filter(|slot| !slot.is_free()) {
-            if let Err(free) = self.search(slot.place, |_| false) {
+        let before = std::mem::replace(&mut self.slots, vec![0; count]);
+        for slot in before.into_iter().map(Slot).filter(|slot| !slot.is_free()) {
+            if let Err(free) = self.search(slot.place(), |_| false) {
                 self.put(free, slot);
             }
         }

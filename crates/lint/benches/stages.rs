@@ -1,4 +1,4 @@
-//! How fast the stages behind `check` and `fmt` are, in bytes of a generated scene: `cargo bench -p scenec`.
+//! How fast the stages behind `check` and `fmt` are, in bytes of a generated scene: `cargo bench -p scenec-lint`.
 
 #![allow(clippy::unwrap_used, reason = "a benchmark may stop at once")]
 
@@ -13,7 +13,12 @@ use scenec_text::SourceFile;
 /// Sizes of the scenes in bytes; a larger one is slightly longer than it says.
 const SIZES: [usize; 3] = [1_000, 1_000_000, 100_000_000];
 
+/// As in the program.
+#[global_allocator]
+static MEMORY: scenec_memory::Memory = scenec_memory::Memory;
+
 fn main() {
+    scenec_memory::keep_freed();
     divan::main();
 }
 
