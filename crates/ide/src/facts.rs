@@ -133,7 +133,7 @@ impl Facts {
     }
 
     /// The two objects that a combination takes; `None` for anything else.
-    fn operands(&self, id: DefinitionId) -> Option<[Option<DefinitionId>; 2]> {
+    pub(crate) fn operands(&self, id: DefinitionId) -> Option<[Option<DefinitionId>; 2]> {
         self.operands.get(id.index()).copied().flatten()
     }
 

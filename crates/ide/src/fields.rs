@@ -32,12 +32,15 @@ pub(crate) fn meaning(form: Form, number: usize) -> &'static str {
     words.get(number).copied().unwrap_or_default()
 }
 
-/// A form as the manual writes it, about the axis of this operator where it is a rotation.
+/// A form as the manual writes it, about the axis of this operator where it is a rotation, and with this one between the
+/// operands where it is a combination.
 pub(crate) fn label(form: Form, operator: Token) -> String {
     let text = form.info().text;
     match operator {
         Token::RotateX => text.replace("#y", "#x"),
         Token::RotateZ => text.replace("#y", "#z"),
+        Token::And => text.replace('|', "&"),
+        Token::Minus => text.replace('|', "-"),
         _ => text.to_owned(),
     }
 }

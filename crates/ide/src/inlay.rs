@@ -6,8 +6,9 @@ use scenec_syntax::{Content, Form, Statement, Value, ValueKind};
 use scenec_text::Span;
 
 use crate::Document;
+use crate::extent::Extent;
 use crate::fields::{meaning, name};
-use crate::solid::{Shape, Standing};
+use crate::solid::{Made, Shape, Standing};
 use crate::words::{angle, degrees, figure, triple};
 
 /// A few words that stand between those of the text.
@@ -80,7 +81,8 @@ fn turn(document: &Document, statement: &Statement) -> Option<InlayHint> {
     })
 }
 
-/// Where an object is: behind the last of several transforms, and at the submission.
+/// Where an object is: behind the last of several transforms, and at the submission. Of a combination that is the middle
+/// of the box around it.
 fn position(document: &Document, statement: &Statement, line: Span) -> Option<InlayHint> {
     let place = document.places_on(line).first()?;
     let id = place.definition?;
@@ -109,11 +111,13 @@ fn position(document: &Document, statement: &Statement, line: Span) -> Option<In
         Some(Shape::Half { point, normal }) => format!(" through {}, facing {}", triple(point), triple(normal)),
         None => parts(document, id),
     };
+    let extent = Extent::of(document, id, &standing).filter(|_| standing.made == Made::Combination);
+    let middle = extent.and_then(Extent::middle);
     Some(InlayHint {
         offset: line.end,
-        label,
+        label: middle.map_or(label.clone(), |middle| format!("{label} around {}", triple(middle))),
         kind: InlayKind::Position,
-        tooltip: String::new(),
+        tooltip: extent.and_then(Extent::words).unwrap_or_default(),
     })
 }
 
@@ -187,6 +191,10 @@ mod tests {
         check(
             "!a := sphere\n!a += 1 0 0\n!a *= 2 2 2\n!a += q 0 0",
             "!a := sphere\n!a += 1 0 0\n!a *= 2 2 2\n!a += q 0 0",
+        );
+        check(
+            "!a := sphere\n!b := hp\n!c := a & b\n!c <=",
+            "!a := sphere\n!b := hp\n!c := a & b\n!c <=‹ 2 base objects around (0, -0.5, 0)›",
         );
         check(
             "!a := hp\n!b := a | a\n!b := b & b\n!b <=",

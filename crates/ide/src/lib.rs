@@ -7,6 +7,7 @@ mod camera;
 mod colour;
 mod completion;
 mod document;
+mod extent;
 mod facts;
 mod fields;
 mod fold;

@@ -9,8 +9,9 @@ use scenec_text::{Code, Span};
 
 use super::material::summary;
 use crate::Document;
+use crate::extent::Extent;
 use crate::solid::{Made, Shape, Standing};
-use crate::words::{angle, code, degrees, figure, settled, triple};
+use crate::words::{angle, code, degrees, figure, triple};
 
 /// The most lines of one kind that are listed.
 const MOST: usize = 8;
@@ -37,7 +38,7 @@ pub(super) fn said(document: &Document, name: Span, id: Option<DefinitionId>, pl
     let mut text = title;
     let _ = write!(text, ": {}", made(document, id, &standing));
     steps(document, &standing, &mut text);
-    whereabouts(&standing, &mut text);
+    whereabouts(document, id, &standing, &mut text);
     material(document, id, &standing, &mut text);
     let _ = write!(text, "\n\n{}", picture(document, id));
     findings(document, id, &mut text);
@@ -99,25 +100,21 @@ fn step_words(step: &StepKind) -> String {
     }
 }
 
-fn whereabouts(standing: &Standing<'_>, text: &mut String) {
+/// Where it is, and the box around it.
+fn whereabouts(document: &Document, id: DefinitionId, standing: &Standing<'_>, text: &mut String) {
+    let extent = || Extent::of(document, id, standing).and_then(Extent::words);
     match standing.shape() {
-        Some(Shape::Ball { centre, reach }) => {
-            let range = |low: f64, high: f64| format!("{} to {}", figure(low), figure(high));
-            let size = reach.max_element();
-            let (low, high) = (settled(centre - reach, size), settled(centre + reach, size));
-            let _ = write!(
-                text,
-                "\n\nCentre {}; x from {}, y from {}, z from {}.",
-                triple(centre),
-                range(low.x, high.x),
-                range(low.y, high.y),
-                range(low.z, high.z)
-            );
+        Some(Shape::Ball { centre, .. }) => {
+            let _ = write!(text, "\n\nCentre {}; {}.", triple(centre), extent().unwrap_or_default());
         }
         Some(Shape::Half { point, normal }) => {
             let _ = write!(text, "\n\nPlane through {}, facing {}.", triple(point), triple(normal));
         }
-        None => {}
+        None => {
+            if let Some(extent) = extent() {
+                let _ = write!(text, "\n\nWithin {extent}.");
+            }
+        }
     }
 }
 

@@ -20,7 +20,10 @@ pub(super) fn operator(shape: &Shape<'_>, token: Token) -> Option<String> {
     };
     if !joint.is_empty() {
         let bound = "Both are taken as they stand on this line; later edits of either do not reach the combination.";
-        return Some(format!("{joint}\n\n{}\n\n{bound}", code(Form::Combination.info().text)));
+        return Some(format!(
+            "{joint}\n\n{}\n\n{bound}",
+            code(&label(Form::Combination, token))
+        ));
     }
     let form = shape
         .form()

@@ -105,7 +105,11 @@ fn an_object_is_followed_through_its_life() {
     check(
         &text.replace("!u <=", "!$0u <="),
         "u",
-        &["`!u := a - b` on line 5, of 2 base objects", "submitted on line 7"],
+        &[
+            "`!u := a - b` on line 5, of 2 base objects",
+            "Within x from 1 to 5, y from",
+            "submitted on line 7",
+        ],
     );
 }
 
@@ -212,7 +216,9 @@ fn settings_lights_operators_and_bases_are_explained() {
     );
     check("!a $0:= sphere", ":=", &["`!x := sphere`", "makes a base object"]);
     check("!a $0#z= 1", "#z=", &["`!x #z= v`", "rotates"]);
-    check("!a := b $0- c", "-", &["**subtraction**"]);
+    check("!a := b $0- c", "-", &["**subtraction**", "`!z := x - y`"]);
+    check("!a := b $0& c", "&", &["**intersection**", "`!z := x & y`"]);
+    check("!a := b $0| c", "|", &["**union**", "`!z := x | y`"]);
     check("!a := sph$0ere", "sphere", &["at most 1 from the origin"]);
     for blank in ["$0", "x := 1 $0 / c", "/ wid$0th", "!a := sphere / b$0", "?? $0", "#"] {
         silent(blank);

@@ -19,6 +19,21 @@ const SOURCE: &str = "scenec";
 /// about than to analyse.
 const MOST: usize = 1000;
 
+/// What is said of statements that are ignored, or that might as well not be there, whether or not they can be removed
+/// just like that.
+const IDLE: [Code; 10] = [
+    Code::UnknownObject,
+    Code::UnknownMaterial,
+    Code::UnknownVariable,
+    Code::AfterSubmission,
+    Code::UnusedVariable,
+    Code::UnusedObject,
+    Code::UnusedMaterial,
+    Code::IdleTransform,
+    Code::EffectlessTransform,
+    Code::MaterialReplaced,
+];
+
 /// Answers with the findings of the newest text, or that they are what they were.
 ///
 /// # Errors
@@ -117,14 +132,12 @@ fn link(view: &View, code: Code) -> Option<CodeDescription> {
     view.pages.link(code).map(|href| CodeDescription { href })
 }
 
-/// What is dropped, or could be, is shown faded: statements that were ignored, and those whose repair is to remove them.
+/// What is dropped, or could be, is shown faded: statements that were ignored or do nothing, and those whose repair is to
+/// remove them.
 fn tags(found: &Diagnostic) -> Vec<DiagnosticTag> {
-    let ignored = matches!(
-        found.code,
-        Code::UnknownObject | Code::UnknownMaterial | Code::UnknownVariable
-    );
     let removed = |fix: &scenec_text::Fix| fix.edits.iter().all(|edit| edit.text.is_empty());
-    let idle = ignored || (found.severity() != Severity::Error && found.fix.as_ref().is_some_and(removed));
+    let idle =
+        IDLE.contains(&found.code) || (found.severity() != Severity::Error && found.fix.as_ref().is_some_and(removed));
     if idle {
         vec![DiagnosticTag::UNNECESSARY]
     } else {

@@ -164,11 +164,21 @@ fn dropped(view: &View) -> Vec<Dropped> {
         let words = found.span().of(text);
         Dropped {
             range: view.range(found.span()),
-            name: words.chars().take_while(|c| !c.is_control()).take(NAME).collect(),
+            name: first_line(words),
             why: format!("{} ({})", found.message, found.code.id()),
         }
     };
     found.map(line).collect()
+}
+
+/// The first line of a finding's words, cut where it is long.
+fn first_line(words: &str) -> String {
+    let mut line = words.chars().take_while(|c| !c.is_control());
+    let mut first: String = line.by_ref().take(NAME).collect();
+    if line.next().is_some() {
+        first.push('…');
+    }
+    first
 }
 
 /// What will draw, by the rules of the process that draws. Drivers are not asked: that is for that process.

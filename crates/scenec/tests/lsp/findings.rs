@@ -149,6 +149,31 @@ fn a_code_is_no_link_where_nobody_could_follow_it() {
 }
 
 #[test]
+fn what_does_nothing_is_faded() {
+    let publish = json!({"tagSupport": {"valueSet": [1, 2]}});
+    let mut client = Client::greeted(json!({"textDocument": {"diagnostic": {}, "publishDiagnostics": publish}}));
+    let text = "\
+sample := 4\nt := 0.5
+!s := sphere\n!s #x= t\n!s += 0 1 0\n!s ?= red\n!s += 0 far 0
+?m := 0.1 0.7 0 0 0 1 1 1 0 0\n?n := 0.1 0.7 0 0 0 1 1 1 1 0\n!s ?= m\n!s ?= n
+!s <=\n!s += 1 0 0\nwidth := 0\n";
+    client.open(URI, text);
+    let found = client.findings(URI);
+    let faded = found.as_array().unwrap().iter();
+    let faded = faded.map(|one| (one["code"].as_str().unwrap(), one["tags"] == json!([1])));
+    let codes = |wanted: bool| {
+        faded
+            .clone()
+            .filter(|one| one.1 == wanted)
+            .map(|one| one.0)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(codes(true), ["W009", "W015", "W003", "W004", "W016", "W005"]);
+    assert_eq!(codes(false), ["E011", "E014"]);
+    client.farewell();
+}
+
+#[test]
 fn a_configuration_counts_and_is_watched() {
     let folder = tempfile::tempdir().unwrap();
     let configuration = folder.path().join("scenec.toml");
