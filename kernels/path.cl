@@ -112,8 +112,8 @@ Bounce bounce(const Scene *scene, const Branch *branch, Hit hit, Vector *colour,
     return result;
 }
 
-/* The colour that a ray from the eye brings back, and the solid that it hits first. */
-Vector walk(const Scene *scene, Ray ray, Spent *spent, uint *solid) {
+/* The colour that a ray from the eye brings back, and what it hits first. */
+Vector walk(const Scene *scene, Ray ray, Spent *spent, Hit *first) {
     Vector colour = vector(0, 0, 0);
     Branch branch;
     branch.ray = ray;
@@ -127,7 +127,7 @@ Vector walk(const Scene *scene, Ray ray, Spent *spent, uint *solid) {
     for (;;) {
         Hit hit = first_crossing(scene, &branch.ray);
         if (primary)
-            *solid = hit.leaf == NOTHING ? NOTHING : scene->leaves[hit.leaf].solid;
+            *first = hit;
         primary = false;
         if (hit.leaf != NOTHING) {
             Bounce after = bounce(scene, &branch, hit, &colour, spent);

@@ -81,11 +81,15 @@ __kernel void trace(__global const Frame *frame, __global const Shape *shapes, _
         }
         spent.rays += 1;
         primary += 1;
-        uint hit;
+        Hit hit;
         Ray ray = camera_ray(frame, column, row, samples[2 * k], samples[2 * k + 1]);
         sum = add(sum, walk(&scene, ray, &spent, &hit));
-        if (k == 0)
-            solid = hit;
+        if (k == 0) {
+            solid = hit.leaf == NOTHING ? NOTHING : leaves[hit.leaf].solid;
+#if DISTANCES
+            outcome->distance = hit.leaf == NOTHING ? (real)INFINITY : hit.distance;
+#endif
+        }
     }
 #if SUPERSAMPLING
     if (end == frame->samples && end > 1) {

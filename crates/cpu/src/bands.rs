@@ -26,6 +26,7 @@ pub(crate) struct Band<'a> {
     ids: Option<&'a mut [u32]>,
     exact: Option<&'a mut [[f64; 3]]>,
     spread: Option<&'a mut [Spread]>,
+    distances: Option<&'a mut [f64]>,
 }
 
 /// A rectangle of a window's pixels.
@@ -47,6 +48,7 @@ pub(crate) struct Layers<'a> {
     pub(crate) ids: Option<&'a mut Vec<u32>>,
     pub(crate) exact: Option<&'a mut Exact>,
     pub(crate) spread: Option<&'a mut Vec<Spread>>,
+    pub(crate) distances: Option<&'a mut Vec<f64>>,
 }
 
 /// Cuts a window up for so many threads, where each pixel has so many samples.
@@ -61,6 +63,7 @@ pub(crate) fn bands<'a>(picture: &'a mut Picture, layers: Layers<'a>, threads: u
     let mut ids = layers.ids.map(|ids| ids.chunks_mut(run));
     let mut exact = layers.exact.map(|exact| exact.chunks_mut(run));
     let mut spread = layers.spread.map(|spread| spread.chunks_mut(run));
+    let mut distances = layers.distances.map(|distances| distances.chunks_mut(run));
     let bands = picture.pixels_mut().chunks_mut(run).enumerate();
     bands
         .map(|(i, picture)| Band {
@@ -71,6 +74,7 @@ pub(crate) fn bands<'a>(picture: &'a mut Picture, layers: Layers<'a>, threads: u
             ids: ids.as_mut().and_then(Iterator::next),
             exact: exact.as_mut().and_then(Iterator::next),
             spread: spread.as_mut().and_then(Iterator::next),
+            distances: distances.as_mut().and_then(Iterator::next),
         })
         .collect()
 }
@@ -104,7 +108,10 @@ impl Band<'_> {
                 put(&mut exact[here.clone()], pixels, |pixel| in_doubles(pixel.colour));
             }
             if let Some(spread) = &mut self.spread {
-                put(&mut spread[here], pixels, |pixel| pixel.spread);
+                put(&mut spread[here.clone()], pixels, |pixel| pixel.spread);
+            }
+            if let Some(distances) = &mut self.distances {
+                put(&mut distances[here], pixels, |pixel| pixel.distance.to_f64());
             }
         }
     }
@@ -130,6 +137,7 @@ mod tests {
             ids: Some(&mut ids),
             exact: None,
             spread: None,
+            distances: None,
         };
         for mut band in bands(&mut picture, layers, threads, samples) {
             for tile in band.tiles() {

@@ -37,6 +37,8 @@ use stage::Prepared;
 /// Traces one plan in the precision `R`.
 pub struct Cpu<R> {
     scene: Prepared<R>,
+    /// World units per plan unit.
+    unit: f64,
     threads: ThreadPool,
 }
 
@@ -52,13 +54,14 @@ impl<R: Number> Cpu<R> {
             .map_err(|error| TraceError::Failed(format!("no threads to trace on: {error}")))?;
         Ok(Self {
             scene: Prepared::new(plan),
+            unit: plan.scale.recip(),
             threads,
         })
     }
 
     /// Traces another plan from here on, on the same threads.
     pub fn show(&mut self, plan: &Plan) {
-        self.scene = Prepared::new(plan);
+        (self.scene, self.unit) = (Prepared::new(plan), plan.scale.recip());
     }
 
     /// Divides what the camera sees into other columns and rows, and a pixel into other sample points (measured from
@@ -88,6 +91,7 @@ impl<R: Number> Tracer for Cpu<R> {
         let mut ids = request.layers.ids.then(|| vec![NOTHING; count]);
         let mut exact = request.layers.exact.then(|| vec![[0.0; 3]; count]);
         let mut spread = request.layers.spread.then(|| vec![Spread::default(); count]);
+        let mut distances = request.layers.distances.then(|| vec![f64::INFINITY; count]);
 
         let (corner, size) = ([window.x, window.y], [window.width, window.height]);
         let limits = request.limits;
@@ -98,6 +102,7 @@ impl<R: Number> Tracer for Cpu<R> {
             ids: ids.as_mut(),
             exact: exact.as_mut(),
             spread: spread.as_mut(),
+            distances: distances.as_mut(),
         };
         let bands = bands(
             &mut picture,
@@ -112,12 +117,17 @@ impl<R: Number> Tracer for Cpu<R> {
                 .try_reduce(Stats::default, |a, b| Some(a.merge(b)))
         });
         let stats = stats.ok_or(TraceError::Cancelled)?;
+        distances
+            .iter_mut()
+            .flatten()
+            .for_each(|distance| *distance *= self.unit);
         Ok(Frame {
             picture,
             ids,
             exact,
             paths: None,
             spread,
+            distances,
             stats,
         })
     }

@@ -87,10 +87,11 @@ impl<'a, R: Lanes, S: Simd> Walker<'a, R, S> {
         }
     }
 
-    /// The colour that a ray from the eye brings back, and the solid that it hits first.
+    /// The colour that a ray from the eye brings back, and what it hits first: the solid, or [`NOTHING`], and how far away.
     #[inline(always)]
-    pub(crate) fn walk(&mut self, ray: Ray<R>, spent: &mut Spent<R>) -> (Vector<R>, u32) {
+    pub(crate) fn walk(&mut self, ray: Ray<R>, spent: &mut Spent<R>) -> (Vector<R>, (u32, R)) {
         let mut colour = [R::ZERO; 3];
+        let nothing = (NOTHING, R::INFINITY);
         let mut first = None;
         let mut branch = Branch {
             ray,
@@ -99,9 +100,9 @@ impl<'a, R: Lanes, S: Simd> Walker<'a, R, S> {
         };
         loop {
             let hit = hierarchy::first(self.scene, &branch.ray, &mut self.scratch);
-            first = first.or(Some(
-                hit.map_or(NOTHING, |hit| self.scene.leaves[hit.leaf as usize].solid),
-            ));
+            first = first.or(Some(hit.map_or(nothing, |hit| {
+                (self.scene.leaves[hit.leaf as usize].solid, hit.distance)
+            })));
             let next = match hit {
                 None => {
                     let sky = shade::background(&self.scene, branch.ray.direction);
@@ -112,7 +113,7 @@ impl<'a, R: Lanes, S: Simd> Walker<'a, R, S> {
             };
             match next.or_else(|| self.waiting.pop()) {
                 Some(next) => branch = next,
-                None => return (colour, first.unwrap_or(NOTHING)),
+                None => return (colour, first.unwrap_or(nothing)),
             }
         }
     }

@@ -21,6 +21,8 @@ pub(crate) struct Pixel<R> {
     pub(crate) colour: Vector<R>,
     /// The solid that its first sample hits.
     pub(crate) solid: u32,
+    /// How far away that is, plan units.
+    pub(crate) distance: R,
     /// How far its samples are apart.
     pub(crate) spread: Spread,
 }
@@ -30,6 +32,7 @@ impl<R: Real> Default for Pixel<R> {
         Self {
             colour: [R::ZERO; 3],
             solid: NOTHING,
+            distance: R::INFINITY,
             spread: Spread::default(),
         }
     }
@@ -64,13 +67,13 @@ pub(crate) fn trace_tile<R: Lanes, S: Simd>(
             }
             spent.rays += 1;
             stats.primary += 1;
-            let (colour, solid) = walker.walk(ray(&scene.frame, column, row, point), &mut spent);
+            let (colour, first) = walker.walk(ray(&scene.frame, column, row, point), &mut spent);
             sum = fma(colour, R::ONE, sum);
             if let Some(sampled) = &mut sampled {
                 sampled.add(in_doubles(colour), 0.0);
             }
             if k == 0 {
-                pixel.solid = solid;
+                (pixel.solid, pixel.distance) = first;
             }
         }
         pixel.colour = if scene.samples.len() == 1 {

@@ -61,6 +61,10 @@ struct OpenCl<R> {
     program: Program,
     precision: Precision,
     math: Math,
+    /// Whether the program tells distances.
+    distances: bool,
+    /// World units per plan unit.
+    unit: f64,
     frame: packed_structs::Frame<R>,
     scene: Scene<R>,
 }
@@ -126,6 +130,8 @@ impl<R: Real + Plain> OpenCl<R> {
             program,
             precision,
             math,
+            distances: features.distances,
+            unit: plan.scale.recip(),
             frame: packed.frame,
             scene,
         })
@@ -193,6 +199,7 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
         let mut ids = request.layers.ids.then(|| vec![NOTHING; count]);
         let mut exact: Option<Exact> = request.layers.exact.then(|| vec![[0.0; 3]; count]);
 
+        let mut distances = (request.layers.distances && self.distances).then(|| vec![f64::INFINITY; count]);
         let (corner, size) = ([window.x, window.y], [window.width, window.height]);
         let limits = request.limits;
         self.frame.ask(corner, size, limits.cutoff, limits.ray_budget);
@@ -225,6 +232,9 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
                     if let Some(exact) = &mut exact {
                         exact[at + i] = in_doubles(outcome.colour);
                     }
+                    if let Some(distances) = &mut distances {
+                        distances[at + i] = outcome.distance.to_f64() * self.unit;
+                    }
                     stats = stats.merge(pixel_stats(outcome));
                 }
             }
@@ -237,6 +247,7 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
             exact,
             paths: None,
             spread: None,
+            distances,
             stats,
         })
     }

@@ -70,13 +70,14 @@ fn features(bits: u32) -> Features {
         branching: on(9),
         inside: on(10),
         supersampling: on(11),
+        distances: on(16),
         waiting: if on(9) { 4 } else { 1 },
         members: if on(12) { 16 } else { 0 },
     }
 }
 
 /// Switches in the table above.
-const SWITCHES: u32 = 16;
+const SWITCHES: u32 = 17;
 
 /// Sets of switches in which every two of them take all four states together; so does each alone.
 fn covering_sets() -> Vec<u32> {

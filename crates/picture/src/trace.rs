@@ -97,6 +97,8 @@ pub struct Layers {
     pub paths: bool,
     /// How far the samples of each pixel are apart, from tracers that can tell.
     pub spread: bool,
+    /// How far from the eye each pixel's first sample hits, from tracers that can tell.
+    pub distances: bool,
 }
 
 /// What the samples of a pixel tell besides their mean, component by component.
@@ -133,6 +135,9 @@ pub struct Frame {
     pub paths: Option<Vec<u64>>,
     /// How far the samples of each pixel are apart, if asked for and there.
     pub spread: Option<Vec<Spread>>,
+    /// How far from the eye each pixel's first sample hits, world units; infinite where it meets nothing. If asked for and
+    /// there.
+    pub distances: Option<Vec<f64>>,
     /// What it took.
     pub stats: Stats,
 }

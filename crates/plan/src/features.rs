@@ -39,6 +39,8 @@ pub struct Features {
     pub inside: bool,
     /// Pixels have more than one sample.
     pub supersampling: bool,
+    /// Distances are told too; no picture needs them.
+    pub distances: bool,
     /// How many rays may wait, rounded up to a power of two; 1 where none does.
     pub waiting: u32,
     /// Room for the members of the largest island, rounded up to a power of two; 0 where they are computed anew instead.
@@ -83,6 +85,7 @@ impl Features {
             branching,
             inside: plan.standpoint.in_front || plan.standpoint.behind || refractions,
             supersampling: plan.view.samples.len() > 1,
+            distances: false,
             waiting: if branching {
                 plan.view.raydepth.next_power_of_two()
             } else {
@@ -115,6 +118,7 @@ impl Features {
             branching: true,
             inside: true,
             supersampling: true,
+            distances: false,
             waiting: plan.view.raydepth.max(1).next_power_of_two(),
             members: 0,
         }
@@ -122,7 +126,7 @@ impl Features {
 
     /// Names and values for a kernel's source, and for people.
     #[must_use]
-    pub fn list(&self) -> [(&'static str, u32); 19] {
+    pub fn list(&self) -> [(&'static str, u32); 20] {
         [
             ("BALLS", self.balls.into()),
             ("ELLIPSOIDS", self.ellipsoids.into()),
@@ -139,6 +143,7 @@ impl Features {
             ("BRANCHING", self.branching.into()),
             ("INSIDE", self.inside.into()),
             ("SUPERSAMPLING", self.supersampling.into()),
+            ("DISTANCES", self.distances.into()),
             ("WAITING", self.waiting),
             ("MEMBERS", self.members),
             ("HIERARCHY_DEPTH", MAX_DEPTH as u32),

@@ -243,6 +243,8 @@ packed! {
         colour: [R; 3],
         /// The most that the dropped branches could have added.
         dropped: R,
+        /// How far the first sample goes before it hits something, where distances are told.
+        distance: R,
         /// The number of the solid that the first sample hits.
         solid: u32,
         /// Rays from the eye.

@@ -114,16 +114,18 @@ impl Tracer for Reference {
         let mut ids = layers.ids.then(|| vec![0; pixels]);
         let mut exact = layers.exact.then(|| vec![[0.0; 3]; pixels]);
         let mut paths = layers.paths.then(|| vec![0; pixels]);
+        let mut distances = layers.distances.then(|| vec![0.0; pixels]);
 
         let width = window.width.max(1) as usize;
         let stats = {
             let (mut ids, mut exact) = (rows(&mut ids, width), rows(&mut exact, width));
-            let mut paths = rows(&mut paths, width);
+            let (mut paths, mut distances) = (rows(&mut paths, width), rows(&mut distances, width));
             let out = picture.pixels_mut().chunks_mut(width).map(|picture| Row {
                 picture,
                 ids: ids.next().flatten(),
                 exact: exact.next().flatten(),
                 paths: paths.next().flatten(),
+                distances: distances.next().flatten(),
             });
             self.share(eye, request, (window.y..).zip(out))
         };
@@ -136,6 +138,7 @@ impl Tracer for Reference {
             exact,
             paths,
             spread: None,
+            distances,
             stats,
         })
     }
@@ -147,6 +150,7 @@ struct Row<'a> {
     ids: Option<&'a mut [u32]>,
     exact: Option<&'a mut [[f64; 3]]>,
     paths: Option<&'a mut [u64]>,
+    distances: Option<&'a mut [f64]>,
 }
 
 impl Row<'_> {
@@ -161,6 +165,9 @@ impl Row<'_> {
         }
         if let Some(paths) = &mut self.paths {
             paths[index] = sight.path;
+        }
+        if let Some(distances) = &mut self.distances {
+            distances[index] = sight.distance;
         }
     }
 }

@@ -32,6 +32,8 @@ pub(crate) struct Sight {
     pub(crate) colour: DVec3,
     /// The leaf that the ray itself hits, or [`NOTHING`].
     pub(crate) leaf: u32,
+    /// How far that is from the eye.
+    pub(crate) distance: f64,
     /// A number for the tree of rays.
     pub(crate) path: u64,
 }
@@ -70,6 +72,7 @@ impl World {
         let mut sight = Sight {
             colour: DVec3::ZERO,
             leaf: NOTHING,
+            distance: f64::INFINITY,
             path: 0,
         };
         let mut path = Hash::EMPTY;
@@ -95,6 +98,7 @@ impl World {
             };
             if matches!(job.kind, Kind::Primary) {
                 sight.leaf = hit.edge.leaf.0;
+                sight.distance = hit.edge.t * direction.length();
             }
             path.add(hit.edge.leaf.0);
             path.add(hit.edge.material.0);

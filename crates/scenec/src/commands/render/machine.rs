@@ -154,6 +154,7 @@ impl Attempt<'_> {
                 exact: None,
                 paths: None,
                 spread: None,
+                distances: None,
                 stats: achieved.stats,
             },
             name: achieved.name,
