@@ -229,6 +229,19 @@ test("keys move the view, and Home returns to the file's own", async () => {
   await window.middle("the ball in the middle", isPale);
 });
 
+test("the wheel comes nearer", async () => {
+  const above = () => window.pixel(0.5, 0.27);
+  assert.ok(!isPale(await above()), `above the ball is ${await above()}`);
+  await window.preview().locator("#picture").hover();
+  for (let turns = 0; turns < 4; turns++) {
+    await window.page.mouse.wheel(0, -200);
+  }
+  await window.until("a ball that nearly fills the picture", async () => isPale(await above()));
+  await window.preview().locator("#reset:enabled").click();
+  await window.preview().locator("#reset:disabled").waitFor();
+  await window.until("a ball with sky above it", async () => !isPale(await above()));
+});
+
 test("the preview comes back when the window is loaded anew", async () => {
   await window.editor.locator(".view-line").first().click();
   await window.page.keyboard.press("Control+s");

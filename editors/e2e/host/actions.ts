@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import * as vscode from "vscode";
 
 import { BALL, scene } from "../scenes.ts";
-import { ask, at, code, findings, open, type Tests, until } from "./tools.ts";
+import { ask, at, code, findings, open, replace, type Tests, until } from "./tools.ts";
 
 export const tests: Tests = {
   async "renaming reaches every use"() {
@@ -50,11 +50,64 @@ export const tests: Tests = {
     await findings(document.uri, "no findings", found => found.length === 0);
   },
 
+  async "what a file lacks is added, and what stands too late is moved"() {
+    const text = scene(
+      "!a := sphere",
+      "!b := hp",
+      "!both := a - b",
+      "!both += 0 1 0",
+      "!both ?= red",
+      "!both <=",
+    );
+    const { document } = await open(text.replace("width := 120\n", ""));
+    const take = async (rule: string, title: RegExp) => {
+      const found = await findings(document.uri, rule, found => found.some(it => code(it) === rule));
+      const { range } = found.find(it => code(it) === rule) ?? assert.fail(rule);
+      const actions = await ask<vscode.CodeAction[]>("vscode.executeCodeActionProvider", document.uri, range);
+      const action = actions.find(action => title.test(action.title));
+      assert.ok(action?.edit, actions.map(action => action.title).join(", "));
+      assert.ok(await vscode.workspace.applyEdit(action.edit));
+      await findings(document.uri, `no ${rule}`, found => !found.some(it => code(it) === rule));
+    };
+    await take("E010", /transform the 2 base objects before/);
+    await take("E014", /add the missing setting/);
+    await take("W003", /create the material/);
+    const words = document.getText();
+    assert.match(
+      words,
+      /!a \+= 0 1 0[\s\S]*!b \+= 0 1 0[\s\S]*!both := a - b\n\?red := [\s\S]*!both \?= red/,
+    );
+    assert.match(words, /^width := \d+$/m);
+  },
+
   async "everything that is certain is repaired at once"() {
     const { document } = await open(BALL);
     await findings(document.uri, "W005", found => found.some(it => code(it) === "W005"));
     await vscode.commands.executeCommand("scenec.fixAll");
     await until("the late edit is gone", () => !document.getText().includes("+="));
+  },
+
+  async "saving repairs and formats where that is wanted"() {
+    const editor = await open(BALL);
+    const { document } = editor;
+    await findings(document.uri, "W005", found => found.some(it => code(it) === "W005"));
+    const settings = vscode.workspace.getConfiguration("editor", { uri: document.uri, languageId: "scene" });
+    const wanted = { codeActionsOnSave: { "source.fixAll": "explicit" }, formatOnSave: true };
+    const set = async (on: boolean) => {
+      for (const [name, value] of Object.entries(wanted)) {
+        const target = vscode.ConfigurationTarget.Workspace;
+        await settings.update(name, on ? value : undefined, target, true);
+      }
+    };
+    await set(true);
+    try {
+      await replace(editor, "!ball := sphere", "!ball:=sphere");
+      assert.ok(await document.save());
+      const text = document.getText();
+      assert.ok(text.includes("!ball := sphere") && !text.includes("+="), text);
+    } finally {
+      await set(false);
+    }
   },
 
   async "formatting makes one style"() {

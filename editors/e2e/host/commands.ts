@@ -26,6 +26,21 @@ export const tests: Tests = {
     }
   },
 
+  async "every step of the walkthrough leads somewhere"() {
+    const extension = vscode.extensions.getExtension("scenec.scenec") ?? assert.fail("the extension");
+    const there = await vscode.commands.getCommands(true);
+    const { steps } = extension.packageJSON.contributes.walkthroughs[0];
+    assert.ok(steps.length > 3);
+    for (const { description, media } of steps) {
+      assert.ok(existsSync(path.join(extension.extensionPath, media.markdown)), media.markdown);
+      const commands = [...description.matchAll(/\(command:([^)]+)\)/g)].map(found => found[1]);
+      assert.ok(
+        commands.every(command => there.includes(command)),
+        `${commands}`,
+      );
+    }
+  },
+
   async "rendering to a file"() {
     const { document } = await open(BALL);
     const target = vscode.Uri.file(path.join(folder(), "ball.png"));
