@@ -14,6 +14,8 @@ let window: Window;
 before(async () => {
   code = await startCode({ "ball.scene": BALL });
   window = await Window.open(code, "ball.scene");
+  const finding = window.editor.locator(".squiggly-warning, .squiggly-unnecessary").first();
+  await finding.waitFor({ state: "attached" });
 });
 
 afterEach(context => window?.failed(context));
