@@ -156,7 +156,13 @@ test("a drawing process that ends again and again is given up, and comes back wi
 
 test("a server that ends again and again is left alone, and snippets take its place", async () => {
   const there = await show("ball.scene");
+  const drawn: number[] = [];
   for (let ends = 0; ends < 5; ends++) {
+    // What draws has said its first words. Of one that ends while it says them the editor may start two.
+    await there.until(`a picture of server ${ends + 1}`, async () =>
+      code.drawers().some(drawer => !drawn.includes(drawer)),
+    );
+    drawn.push(...code.drawers());
     await kill(there, `server ${ends + 1}`, code.servers);
   }
   const message = there.page.locator(".notification-list-item", { hasText: "is left alone now" }).first();
