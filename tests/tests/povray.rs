@@ -15,7 +15,7 @@ use std::process::Command;
 use scenec_measure::povray;
 use scenec_picture::NOTHING;
 use scenec_scene::Scene;
-use scenec_tests::{Shot, gallery, root, scene, shots};
+use scenec_tests::{Shot, closed_stage, gallery, root, scene, shots};
 
 /// Colours are made of 0 and 1 alone, so that three bits name one; this is the sky's.
 const WHITE: u8 = 7;
@@ -31,7 +31,7 @@ fn class(colour: [f64; 3]) -> u8 {
 }
 
 fn has_povray() -> bool {
-    let found = Command::new("povray").arg("--version").output().is_ok();
+    let found = povray::is_there();
     assert!(
         found || std::env::var_os("SCENEC_REQUIRE_POVRAY").is_none(),
         "SCENEC_REQUIRE_POVRAY is set, so povray must be on the path"
@@ -151,6 +151,30 @@ fn povray_sees_the_same_surfaces() {
             let differing = differing(&who, &ours, &theirs, scene.settings.width as usize);
             println!("{who}: {differing} of {} pixels differ", ours.len());
             assert!(differing * 1000 < ours.len(), "{who}: {differing} pixels differ");
+        }
+    }
+}
+
+#[test]
+fn what_would_take_it_too_long_is_not_asked() {
+    let balls = |count: u32, op: &str| {
+        let ball = |k: u32| format!("!b := sphere\n!b += {k} 0 -9\n!c := c {op} b\n");
+        let text: String = (0..count).map(ball).collect();
+        closed_stage(&format!("!c := sphere\n{text}!c <=\n"))
+    };
+    for (count, op, asked) in [
+        (2047, "|", true),
+        (2048, "|", false),
+        (50_000, "|", false),
+        (3000, "-", false),
+    ] {
+        let told = povray::text(&balls(count, op));
+        match told {
+            Ok(_) => assert!(asked, "{count} {op}"),
+            Err(reason) => assert!(
+                !asked && reason == "not asked: more than 2048 objects",
+                "{count} {op}: {reason}"
+            ),
         }
     }
 }

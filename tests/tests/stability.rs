@@ -2,10 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test may stop at once")]
 
-use scenec_measure::stability::{Machines, Verdict, cases, judge, table};
+use scenec_measure::stability::{Machines, Verdict, cases, judge, summary, table};
 use scenec_plan::plan;
 use scenec_scene::Scene;
-use scenec_tests::{device, gallery};
+use scenec_tests::{device, gallery, root};
 use scenec_text::{Severity, SourceFile};
 
 #[test]
@@ -21,6 +21,14 @@ fn read(text: &str) -> Result<Scene, Vec<String>> {
     interpretation
         .scene
         .ok_or_else(|| errors.map(|one| one.code.id().to_owned()).collect())
+}
+
+/// What is the same on every machine in the rows of a table of cases: the case, how many members it has, for how many of them
+/// doubles are taken, and the verdict.
+fn steady(text: &str) -> Vec<String> {
+    let is_case = |line: &&str| matches!(line.as_bytes(), [b'|', b' ', b'0'..=b'9', b'0'..=b'9', b'-', ..]);
+    let cells = |line: &str| line.split('|').take(5).map(str::trim).collect::<Vec<_>>().join(" | ");
+    text.lines().filter(is_case).map(cells).collect()
 }
 
 #[test]
@@ -40,4 +48,10 @@ fn every_awkward_case_holds() {
     let table = table(&verdicts);
     println!("{table}");
     assert!(verdicts.iter().all(Verdict::holds), "{table}");
+    let page = std::fs::read_to_string(root().join("docs/accuracy.md")).unwrap();
+    assert_eq!(
+        steady(&page),
+        steady(&summary(&verdicts)),
+        "docs/accuracy.md shows another table"
+    );
 }

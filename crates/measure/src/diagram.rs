@@ -18,7 +18,7 @@ const FONT: &[u8] = include_bytes!("../font/DejaVuSans-ASCII.ttf");
 /// Errors below this are drawn as this: a logarithm knows no zero.
 const FLOOR: f64 = 1e-9;
 /// Colours that stay apart for most eyes and on paper (Okabe and Ito 2008).
-const COLOURS: [RGBColor; 7] = [
+const COLOURS: [RGBColor; 8] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
@@ -26,6 +26,7 @@ const COLOURS: [RGBColor; 7] = [
     RGBColor(86, 180, 233),
     RGBColor(230, 159, 0),
     RGBColor(90, 90, 90),
+    RGBColor(140, 86, 75),
 ];
 
 type Chart<'a, B> = ChartContext<'a, B, Cartesian2d<LogCoord<f64>, LogCoord<f64>>>;

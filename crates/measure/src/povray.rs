@@ -17,12 +17,23 @@ pub use text::text;
 /// How long POV-Ray may take for one picture.
 const PATIENCE: Duration = Duration::from_secs(10);
 
+/// Whether there is a POV-Ray that can be asked.
+#[must_use]
+pub fn is_there() -> bool {
+    let asked = Command::new("povray")
+        .arg("--version")
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .status();
+    asked.is_ok()
+}
+
 /// The leaf that POV-Ray sees at each pixel of a scene, row by row, or [`scenec_picture::NOTHING`], without anti-aliasing.
 ///
 /// # Errors
-/// A few words: it isn't installed, takes too long, stops with an error, or the scene can't be written for it.
+/// A few words: it isn't installed, takes too long, stops with an error, or the scene is not for it.
 pub fn leaves(scene: &Scene) -> Result<Vec<u32>, String> {
-    let text = text(scene).ok_or("the scene is too large to be written for it")?;
+    let text = text(scene)?;
     let failed = |error: std::io::Error| format!("POV-Ray can't be run: {error}");
     let folder = tempfile::tempdir().map_err(failed)?;
     let at = |name: &str| folder.path().join(name);

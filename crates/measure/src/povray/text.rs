@@ -5,24 +5,26 @@ use std::fmt::Write;
 use scenec_picture::NOTHING;
 use scenec_scene::{Base, DVec3, Leaf, Op, Scene, SolidId, SolidKind, View, view};
 
-/// The most bytes that a scene may take: a shared operand is written out wherever it is used.
-const MOST: usize = 64 << 20;
+/// The most objects that POV-Ray is asked about: in a merge or a difference it tests a hit on each in all others, so that tens
+/// of thousands take longer than anybody waits. A shared operand is written out, and counted, wherever it is used.
+const MOST: usize = 2048;
 
 /// The colour of nothing; a leaf's colour is its number, so this one stays free.
 const WHITE: u32 = 0x00ff_ffff;
 
-/// The scene in POV-Ray's language, each leaf in the flat colour of its number and the sky white; `None` if it is too large
-/// or has no camera.
+/// The scene in POV-Ray's language, each leaf in the flat colour of its number and the sky white.
 ///
 /// The same numbers are written without turning any axis: POV-Ray's axes are left-handed only in how it makes a camera and a
 /// rotation, and both are written as vectors here.
-#[must_use]
-pub fn text(scene: &Scene) -> Option<String> {
+///
+/// # Errors
+/// A few words: there are too many objects, or there is no camera.
+pub fn text(scene: &Scene) -> Result<String, String> {
     let (View::Clear(camera) | View::AlongUp(camera)) = view(&scene.settings) else {
-        return None;
+        return Err("not asked: there is no view".to_owned());
     };
     if scene.solids.len() >= WHITE as usize {
-        return None;
+        return Err("not asked: there are more objects than colours".to_owned());
     }
     let mut out = String::from(
         "#version 3.7;\nglobal_settings { assumed_gamma 1 }\nbackground { rgb 1 }\n\
@@ -36,17 +38,21 @@ pub fn text(scene: &Scene) -> Option<String> {
         vector(camera.right * 2.0),
         vector(camera.up * 2.0)
     );
-    let mut waiting = vec![Part::Solid(scene.root)];
+    let (mut waiting, mut written) = (vec![Part::Solid(scene.root)], 0);
     while let Some(part) = waiting.pop() {
         match part {
             Part::End => out.push_str("}\n"),
-            Part::Solid(id) => solid(scene, id, &mut out, &mut waiting),
+            Part::Solid(id) => {
+                written += usize::from(matches!(scene.solid(id).kind, SolidKind::Leaf(_)));
+                solid(scene, id, &mut out, &mut waiting);
+            }
         }
-        if out.len() > MOST || waiting.len() > MOST {
-            return None;
+        // Each solid that waits holds an object at least, and to each end that waits belongs one, written or waiting.
+        if written > MOST || waiting.len() > 2 * MOST + 1 {
+            return Err(format!("not asked: more than {MOST} objects"));
         }
     }
-    Some(out)
+    Ok(out)
 }
 
 /// The leaf of a colour.

@@ -17,9 +17,96 @@ pub fn table(verdicts: &[Verdict]) -> String {
         let opinion = if beside { opinion(verdict) } else { String::new() };
         let _ = writeln!(out, "{}{opinion}", row(verdict));
     }
-    let held = verdicts.iter().filter(|verdict| verdict.holds()).count();
-    let _ = writeln!(out, "\n{held} of {} hold.", verdicts.len());
+    let _ = writeln!(out, "\n{}", held(verdicts));
     out
+}
+
+/// A row for each case, all of its members together, and a closing line: the largest part of what is allowed that an error takes
+/// up, and how many members a render would take doubles for.
+#[must_use]
+pub fn summary(verdicts: &[Verdict]) -> String {
+    let beside = verdicts.iter().any(|verdict| verdict.povray.is_some());
+    let mut out = String::from("| case | members | of them f64 | verdict | f32, of what is allowed | f64 |");
+    out += if beside { " POV-Ray |\n" } else { "\n" };
+    out += "|---|---:|---:|---|---:|---:|";
+    out += if beside { "---|\n" } else { "\n" };
+    for members in verdicts.chunk_by(|a, b| a.case == b.case) {
+        let opinion = if beside { opinions(members) } else { String::new() };
+        let _ = writeln!(out, "{}{opinion}", case_row(members));
+    }
+    let _ = writeln!(out, "\n{}", held(verdicts));
+    out
+}
+
+fn held(verdicts: &[Verdict]) -> String {
+    let held = verdicts.iter().filter(|verdict| verdict.holds()).count();
+    format!("{held} of {} hold.", verdicts.len())
+}
+
+fn case_row(members: &[Verdict]) -> String {
+    let Some(first) = members.first() else {
+        return String::new();
+    };
+    let single = members
+        .iter()
+        .filter(|member| member.beyond_single.is_none() && member.wider.is_none());
+    let double = members.iter().filter_map(|member| member.double.as_ref());
+    let wider = members.iter().filter(|member| member.wider.is_some()).count();
+    let words = if members.iter().all(Verdict::holds) {
+        "holds"
+    } else {
+        "**FAILS**"
+    };
+    format!(
+        "| {}: {} | {} | {wider} | {words} | {} | {} |",
+        first.case,
+        first.title,
+        members.len(),
+        part(single.filter_map(|member| member.single.as_ref())),
+        part(double)
+    )
+}
+
+/// The largest part of what is allowed.
+fn part<'a>(outcomes: impl Iterator<Item = &'a Outcome>) -> String {
+    let part = |outcome: &Outcome| match outcome.error {
+        0.0 => 0.0,
+        error => error / outcome.threshold,
+    };
+    let most = outcomes.map(part).max_by(f64::total_cmp);
+    most.map_or_else(String::new, |most| {
+        if most == 0.0 {
+            "0".to_owned()
+        } else {
+            format!("{most:.1e}")
+        }
+    })
+}
+
+/// What POV-Ray makes of the members.
+fn opinions(members: &[Verdict]) -> String {
+    let opinions = || members.iter().filter_map(|member| member.povray.as_ref());
+    let seen = opinions().filter_map(|opinion| opinion.as_ref().ok());
+    let (mut seen, mut same, mut worst) = (seen.copied().peekable(), 0, 0.0_f64);
+    let mut words = Vec::new();
+    if seen.peek().is_some() {
+        let mut count = 0;
+        for share in seen {
+            (count, same, worst) = (count + 1, same + usize::from(share == 0.0), worst.max(share));
+        }
+        words.push(match count - same {
+            0 => "the same".to_owned(),
+            other => format!("{other} of {count} other, up to {:.1} %", worst * 100.0),
+        });
+    }
+    let mut reasons: Vec<_> = opinions().filter_map(|opinion| opinion.as_ref().err()).collect();
+    reasons.sort();
+    words.extend(
+        reasons
+            .chunk_by(|a, b| a == b)
+            .map(|alike| format!("{} {}", alike.len(), alike[0])),
+    );
+    format!(" {} |", words.join("; "))
 }
 
 fn row(verdict: &Verdict) -> String {

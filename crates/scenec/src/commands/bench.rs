@@ -49,6 +49,9 @@ pub(crate) struct BenchOptions {
     /// out, where it shows another surface than the slow tracer.
     #[arg(long, requires = "stability")]
     povray: bool,
+    /// Print a row for each case and not for each of its members
+    #[arg(long, requires = "stability")]
+    brief: bool,
     /// Print instead what a render to this tolerance costs beside the same samples for every pixel
     ///
     /// Each scene is rendered with --tolerance, and held against the same scene to an eighth of it with other sample
@@ -83,7 +86,7 @@ Examples:
   scenec bench seed.scene -o bench --quick
   scenec bench scenes/glass.scene scenes/mirrors.scene -o bench --size 120x80 --device none
   scenec bench --stability > stability.md
-  scenec bench --stability --povray --device none > stability.md
+  scenec bench --stability --povray --brief --device none > stability.md
   scenec bench scenes/*.scene --tolerance 1/255 --size 48x32
 
 Exit codes:
@@ -123,7 +126,7 @@ impl BenchOptions {
         }
         // Without the suite the arguments have to name a folder.
         let Some(output) = self.output.as_ref().filter(|_| !self.stability) else {
-            return stability::run(self.device()?, self.povray);
+            return stability::run(self.device()?, self.povray, self.brief);
         };
         interrupt::watch();
         let outputs = Outputs::at(output)?;
