@@ -7,6 +7,7 @@ mod ball;
 mod contain;
 mod convert;
 mod documents;
+mod folders;
 mod frames;
 mod handlers;
 mod log;

@@ -32,6 +32,8 @@ pub struct Options {
     pub file: Box<dyn Fn(&Path) -> FileOptions + Send + Sync>,
     /// The name of the files that `file` reads, for the client to watch.
     pub configuration: &'static str,
+    /// The scene files below a folder, soon found.
+    pub scenes: fn(&Path) -> Vec<PathBuf>,
     /// Whether to tell on standard error what goes on.
     pub log: bool,
     /// The program that draws the preview, and its arguments: one that ends in [`crate::preview::work`].

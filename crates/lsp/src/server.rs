@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use std::fmt::Display;
 use std::sync::{Arc, Mutex, OnceLock};
 
+use scenec_ide::Document;
 use tokio::sync::watch;
 use tower_lsp::Client;
 use tower_lsp::jsonrpc::{Error, ErrorCode, Result};
@@ -13,6 +14,7 @@ use tower_lsp::lsp_types::{MessageType, TextDocumentPositionParams, Url};
 use crate::abilities::Abilities;
 use crate::convert::Known;
 use crate::documents::{Documents, lock};
+use crate::folders::Folders;
 use crate::log::Log;
 use crate::options::Options;
 use crate::pages::Pages;
@@ -31,6 +33,7 @@ pub(crate) struct Server {
     pub(crate) log: Log,
     pub(crate) pictures: Arc<Pictures>,
     pages: Arc<Pages>,
+    pub(crate) folders: Arc<Folders>,
     settings: Arc<Mutex<Arc<Settings>>>,
     abilities: Arc<OnceLock<Abilities>>,
     told: Arc<Mutex<HashSet<String>>>,
@@ -44,6 +47,7 @@ impl Server {
         Self {
             pictures: Arc::new(Pictures::new(&client, &options)),
             pages: Arc::new(Pages::of_user()),
+            folders: Arc::default(),
             client,
             process: Arc::new(process),
             log: Log { on: options.log },
@@ -139,17 +143,26 @@ impl Server {
         }
         let document = answer.analysed.document.clone().ok_or_else(failed)?;
         let view = View {
-            url: url.clone(),
-            document,
             version: answer.analysed.version,
             revision: answer.analysed.revision,
+            ..self.view_of(url.clone(), document)
+        };
+        aside(move || work(&view)).await.map(Some)
+    }
+
+    /// A document that the client has told nothing of, as a handler sees it.
+    pub(crate) fn view_of(&self, url: Url, document: Arc<Document>) -> View {
+        View {
+            url,
+            document,
+            version: 0,
+            revision: 0,
             abilities: self.abilities(),
             settings: self.settings(),
             options: Arc::clone(&self.options),
             pages: Arc::clone(&self.pages),
             known: Cell::new(Known::default()),
-        };
-        aside(move || work(&view)).await.map(Some)
+        }
     }
 
     /// Shows a message, unless it was shown before.

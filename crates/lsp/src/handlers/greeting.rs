@@ -6,7 +6,7 @@ use tower_lsp::lsp_types::{
     DiagnosticServerCapabilities, DocumentOnTypeFormattingOptions, InitializeParams, InitializeResult, OneOf,
     Registration, RenameOptions, SemanticTokensFullOptions, SemanticTokensOptions, SemanticTokensServerCapabilities,
     ServerCapabilities, ServerInfo, SignatureHelpOptions, TextDocumentSyncCapability, TextDocumentSyncKind,
-    TextDocumentSyncOptions, WorkDoneProgressOptions,
+    TextDocumentSyncOptions, WorkDoneProgressOptions, WorkspaceFoldersServerCapabilities, WorkspaceServerCapabilities,
 };
 
 use crate::abilities::Abilities;
@@ -22,6 +22,7 @@ const TYPED: &str = "!?*=+#|&<";
 pub(crate) fn initialize(server: &Server, params: &InitializeParams) -> InitializeResult {
     let abilities = Abilities::of(&params.capabilities);
     server.meet(abilities, params.process_id);
+    server.folders.meet(params);
     if let Some(settings) = params.initialization_options.as_ref().and_then(Settings::read) {
         server.set(settings);
     }
@@ -109,6 +110,13 @@ fn capabilities(abilities: Abilities) -> ServerCapabilities {
         })),
         document_symbol_provider: Some(OneOf::Left(true)),
         workspace_symbol_provider: Some(OneOf::Left(true)),
+        workspace: Some(WorkspaceServerCapabilities {
+            workspace_folders: Some(WorkspaceFoldersServerCapabilities {
+                supported: Some(true),
+                change_notifications: Some(OneOf::Left(true)),
+            }),
+            file_operations: None,
+        }),
         folding_range_provider: Some(true.into()),
         selection_range_provider: Some(true.into()),
         code_action_provider: abilities.actions.then(|| {

@@ -1,4 +1,6 @@
-//! What a document makes, as a tree or a list, and what all open ones make.
+//! What a document makes, as a tree or a list, and what all make that are open or lie in the client's folders.
+
+use std::sync::Arc;
 
 use scenec_ide::{FoundSymbol, OutlineItem, OutlineKind};
 use tower_lsp::jsonrpc::Result;
@@ -6,8 +8,11 @@ use tower_lsp::lsp_types::{
     DocumentSymbol, DocumentSymbolParams, DocumentSymbolResponse, SymbolInformation, SymbolKind, WorkspaceSymbolParams,
 };
 
-use crate::server::Server;
+use crate::server::{Server, aside};
 use crate::view::View;
+
+/// The most that are sent of files that are not open.
+const MOST: usize = 1000;
 
 /// # Errors
 /// As [`Server::on`].
@@ -33,15 +38,26 @@ pub(crate) async fn everywhere(
     params: WorkspaceSymbolParams,
 ) -> Result<Option<Vec<SymbolInformation>>> {
     let mut all = Vec::new();
-    for url in server.documents.urls() {
+    let open = server.documents.urls();
+    for url in &open {
         let query = params.query.clone();
-        let on = server.on(&url, move |view| {
-            let found = scenec_ide::symbols(&view.document, &query).into_iter();
-            found.map(|symbol| everywhere_one(view, symbol)).collect::<Vec<_>>()
-        });
-        all.extend(on.await?.unwrap_or_default());
+        let found = server.on(url, move |view| matching(view, &query)).await?;
+        all.extend(found.unwrap_or_default());
     }
+    let asked = server.clone();
+    let in_folders = aside(move || {
+        let closed = asked.folders.closed(&asked.options, &open).into_iter();
+        let views = closed.map(|(url, document)| asked.view_of(url, Arc::new(document)));
+        let found = views.flat_map(|view| matching(&view, &params.query));
+        found.take(MOST).collect::<Vec<_>>()
+    });
+    all.extend(in_folders.await?);
     Ok(Some(all))
+}
+
+fn matching(view: &View, query: &str) -> Vec<SymbolInformation> {
+    let found = scenec_ide::symbols(&view.document, query).into_iter();
+    found.map(|symbol| everywhere_one(view, symbol)).collect()
 }
 
 /// The tree is a few levels deep at most, whatever the scene.

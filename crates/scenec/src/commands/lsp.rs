@@ -8,6 +8,7 @@ use scenec_lsp::{Ended, FileOptions, Options, serve};
 
 use crate::config::{self, Configs};
 use crate::exit::Exit;
+use crate::files::scenes_soon_found;
 use crate::jobs::remark;
 
 /// Serve an editor over standard input and output
@@ -50,6 +51,7 @@ impl Lsp {
         let options = Options {
             file: Box::new(file_options),
             configuration: config::NAME,
+            scenes: scenes_soon_found,
             log: self.log || wanted,
             // The child is this very program; if it can't say where it lies, the shell's way may find it.
             drawer: (

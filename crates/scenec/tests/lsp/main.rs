@@ -6,6 +6,7 @@ mod client;
 mod ending;
 mod features;
 mod findings;
+mod folders;
 mod frames;
 mod greetings;
 #[cfg(target_os = "linux")]
