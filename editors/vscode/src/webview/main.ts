@@ -73,11 +73,10 @@ function hear(message: ToPage): void {
       trouble.hidden = true;
       document.body.classList.remove("stale");
       facts.textContent = `${message.device} · ${duration(message.milliseconds)} · ${canvas.width} × ${canvas.height}`;
+      // A picture from before the camera was moved may come after that; the next one tells where it is.
       if (!hand.held()) {
         view = message.camera ?? undefined;
-      }
-      if (!message.moved) {
-        remember(null);
+        remember(message.moved && view !== undefined ? { eye: view.eye, lookat: view.lookat } : null);
       }
       break;
     case "trouble":
