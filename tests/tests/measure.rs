@@ -142,6 +142,29 @@ fn of_fast_math_nothing_is_promised() {
 }
 
 #[test]
+fn fast_math_that_does_not_end_is_left_out() {
+    let Some(device) = device() else {
+        return;
+    };
+    let (watch, counter, scene) = (Watch::new(), Watch::new(), small());
+    let bench = Bench {
+        device: Some(device),
+        ..bench(&scene, EFFORT, &watch, &counter)
+    };
+    let mut asked = 0;
+    let report = bench.run(&mut |setting, _| {
+        if setting.machine.promises() {
+            return Ok(1.0);
+        }
+        asked += 1;
+        Err(TraceError::Failed("it did not end".to_owned()))
+    });
+    let report = report.unwrap();
+    assert!(report.rows.iter().all(|row| row.setting.machine.promises()));
+    assert_eq!((report.notes.len(), asked), (1, 1), "{:?}", report.notes);
+}
+
+#[test]
 fn the_table_has_all_families_and_the_front_is_not_beaten() {
     let report = report(&small(), EFFORT);
     let mut families: Vec<_> = report.rows.iter().map(|row| row.family.as_str()).collect();

@@ -16,7 +16,8 @@ use crate::timing::{Times, calibration, drift};
 use crate::trial::{Trial, trial};
 use crate::truth::{Shelf, Truth, work};
 
-/// Runs a whole process that renders a scene with a setting, and says how many seconds it took.
+/// Runs a whole process that renders a scene with a setting, and says how many seconds it took; of a setting that promises
+/// nothing it does not wait for ever.
 pub type Process<'a> = dyn FnMut(&Setting, Start) -> Result<f64, TraceError> + 'a;
 
 /// What a process finds.
@@ -158,10 +159,19 @@ impl Bench<'_> {
         let hidden = Hidden::of(self.scene, self.watch, self.counter)?;
         let mut notes = Vec::new();
         let mut tried = Vec::new();
+        let mut hopeless = String::new();
         for rung in ladder(self.scene, &self.effort, self.device) {
-            match self.try_out(&rung, &hidden) {
+            if rung.family == hopeless {
+                continue;
+            }
+            match self.try_out(&rung, &hidden, process) {
                 Ok((picture, bound)) => tried.push((rung, picture, bound)),
-                Err(TraceError::Failed(reason)) => notes.push(format!("{}, {}: {reason}", rung.family, rung.knob)),
+                Err(TraceError::Failed(reason)) => {
+                    notes.push(format!("{}, {}: {reason}", rung.family, rung.knob));
+                    if !rung.setting.machine.promises() {
+                        hopeless = rung.family;
+                    }
+                }
                 Err(error) => return Err(error),
             }
         }
@@ -186,9 +196,20 @@ impl Bench<'_> {
         Ok(report)
     }
 
-    fn try_out(&self, rung: &Rung, hidden: &Hidden) -> Result<(Trial, Bound), TraceError> {
-        let traced = trial(self.scene, &rung.setting, self.watch)?;
-        let bound = bound(self.scene, &rung.setting, &traced, hidden, self.watch)?;
+    /// The picture of a rung, and its bound; of one that promises nothing, the bound of what it stands beside.
+    fn try_out(&self, rung: &Rung, hidden: &Hidden, process: &mut Process<'_>) -> Result<(Trial, Bound), TraceError> {
+        let (setting, strict) = (&rung.setting, rung.setting.strict());
+        let (traced, bound) = if strict == *setting {
+            let traced = trial(self.scene, setting, self.watch)?;
+            let bound = bound(self.scene, setting, &traced, hidden, self.watch)?;
+            (traced, bound)
+        } else {
+            // What promises nothing may not even end, and a process can be stopped.
+            process(setting, Start::Cold)?;
+            let sober = trial(self.scene, &strict, self.watch)?;
+            let bound = bound(self.scene, &strict, &sober, hidden, self.watch)?;
+            (trial(self.scene, setting, self.watch)?, bound)
+        };
         self.counter.advance(3 * self.pictures(&rung.setting));
         Ok((traced, bound))
     }

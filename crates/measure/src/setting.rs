@@ -92,6 +92,17 @@ impl Setting {
         roundoff(self.precision)
     }
 
+    /// The same, on a machine that keeps to the rules of arithmetic.
+    pub(crate) fn strict(&self) -> Self {
+        let mut strict = self.clone();
+        if let Machine::OpenCl { program, .. } = &mut strict.machine
+            && *program == Program::FastMath
+        {
+            *program = Program::Made;
+        }
+        strict
+    }
+
     /// The same with other samples.
     pub(crate) fn with_samples(&self, samples: u32) -> Self {
         Self {

@@ -2,9 +2,11 @@
 
 use std::env;
 use std::ffi::OsString;
+use std::io;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::time::Instant;
+use std::process::{Child, Command, Output, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
 
 use scenec_measure::{Machine, Program, Setting, Start};
 use scenec_picture::{TraceError, Watch};
@@ -14,6 +16,9 @@ use crate::failure::Failure;
 
 /// Where compilers of OpenCL programs keep what they made.
 const COMPILED: [&str; 2] = ["POCL_CACHE_DIR", "CUDA_CACHE_PATH"];
+
+/// How long a process may take with a setting that promises nothing, not even an end.
+const PATIENCE: Duration = Duration::from_secs(10);
 
 /// Renders one file again and again.
 pub(super) struct Renders<'a> {
@@ -57,7 +62,12 @@ impl<'a> Renders<'a> {
             .stdout(Stdio::null())
             .stderr(Stdio::piped());
         let begin = Instant::now();
-        let ran = quiet.output().map_err(|error| failed(&error))?;
+        let ran = if setting.machine.promises() {
+            quiet.output()
+        } else {
+            quiet.spawn().and_then(ended)
+        };
+        let ran = ran.map_err(|error| failed(&error))?;
         let seconds = begin.elapsed().as_secs_f64();
         if self.watch.stopped() {
             // The terminal tells every process of it.
@@ -92,4 +102,18 @@ impl<'a> Renders<'a> {
         });
         words.into_iter().map(OsString::from).collect()
     }
+}
+
+/// Waits for a process that may never end by itself, and only so long.
+fn ended(mut child: Child) -> io::Result<Output> {
+    let begin = Instant::now();
+    while child.try_wait()?.is_none() {
+        if begin.elapsed() > PATIENCE {
+            child.kill()?;
+            child.wait()?;
+            return Err(io::Error::other(format!("it did not end in {} s", PATIENCE.as_secs())));
+        }
+        sleep(Duration::from_millis(1));
+    }
+    child.wait_with_output()
 }
