@@ -4,6 +4,7 @@
 
 mod actions;
 mod camera;
+mod carry;
 mod colour;
 mod completion;
 mod document;

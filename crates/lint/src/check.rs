@@ -10,6 +10,7 @@ use scenec_text::{Diagnostic, SourceFile};
 use crate::context::Context;
 use crate::findings::{self, Findings};
 use crate::mend::mend;
+use crate::rule::Rule;
 use crate::rules::{EACH, SOLIDS, STATEMENTS, STEPS};
 use crate::suppress::suppress;
 
@@ -38,27 +39,59 @@ pub fn check(source: &SourceFile) -> Checked {
 pub fn check_without_geometry(source: &SourceFile) -> Checked {
     let mut lines = Lines::new(source);
     let read = interpret(source, &mut lines);
-    judge(source, lines.findings(), read, |context| {
-        let mut findings = Findings::default();
-        findings.apply(STATEMENTS, context);
-        findings.apply(STEPS, context);
-        findings.sorted()
-    })
+    judge(source, lines.findings(), read, one_by_one)
 }
 
-/// The same for somebody who has use for the lines: they are kept.
-#[must_use]
-pub fn check_keeping_lines(source: &SourceFile) -> (Vec<Line>, Checked) {
-    let ((kept, read), findings) = read_ahead(source, |lines| {
-        let mut interpreter = Interpreter::new(source);
-        let mut kept = Vec::new();
-        for line in lines {
-            interpreter.line(&line);
-            kept.push(line);
+/// A file as far as it is known before the rules about solids, which take the longest: for somebody who has use for the lines, and
+/// can do with the rest later.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// The lines that are not blank, in order.
+    pub lines: Vec<Line>,
+    /// What they mean.
+    pub interpretation: Interpretation,
+    /// What was found so far; comments have not silenced anything yet.
+    findings: Vec<Diagnostic>,
+}
+
+impl Reading {
+    /// Reads and interprets a file and applies the rules that look at one statement or transform after the other.
+    #[must_use]
+    pub fn of(source: &SourceFile) -> Self {
+        let ((lines, (interpretation, more)), mut findings) = read_ahead(source, |lines| {
+            let mut interpreter = Interpreter::new(source);
+            let mut kept = Vec::new();
+            for line in lines {
+                interpreter.line(&line);
+                kept.push(line);
+            }
+            (kept, interpreter.finish())
+        });
+        findings.extend(more);
+        let context = Context::new(source, &interpretation);
+        mend(&context, &mut findings);
+        findings.extend(one_by_one(&context));
+        Self {
+            lines,
+            interpretation,
+            findings,
         }
-        (kept, interpreter.finish())
-    });
-    (kept, judge(source, findings, read, apply))
+    }
+
+    /// What the rules about solids find.
+    #[must_use]
+    pub fn solids(&self, source: &SourceFile) -> Vec<Diagnostic> {
+        let context = Context::new(source, &self.interpretation);
+        beside(&context, (&[], SOLIDS), (&[], EACH))
+    }
+
+    /// All findings, ordered by place, with those about solids as given; comments of the file have silenced theirs.
+    #[must_use]
+    pub fn all(&self, source: &SourceFile, solids: &[Diagnostic]) -> Vec<Diagnostic> {
+        let mut all = [self.findings.as_slice(), solids].concat();
+        findings::sort(&mut all);
+        suppress(source, all)
+    }
 }
 
 fn judge(
@@ -86,32 +119,43 @@ pub fn lint(source: &SourceFile, interpretation: &Interpretation) -> Vec<Diagnos
     apply(&Context::new(source, interpretation))
 }
 
-/// Every rule; in a large file those that take longest beside the others, with which they share little that takes long to
-/// find out.
-fn apply(context: &Context<'_>) -> Vec<Diagnostic> {
+/// The rules that look at one statement or transform after the other.
+fn one_by_one(context: &Context<'_>) -> Vec<Diagnostic> {
     let mut findings = Findings::default();
+    findings.apply(STATEMENTS, context);
+    findings.apply(STEPS, context);
+    findings.sorted()
+}
+
+/// Every rule.
+fn apply(context: &Context<'_>) -> Vec<Diagnostic> {
+    beside(context, (STEPS, SOLIDS), (STATEMENTS, EACH))
+}
+
+/// What the rules find; in a large file the first ones, which take longest, beside the others, with which they share little that
+/// takes long to find out.
+fn beside(context: &Context<'_>, long: (&[Rule], &[Rule]), others: (&[Rule], &[Rule])) -> Vec<Diagnostic> {
+    let find = |(first, then): (&[Rule], &[Rule]), context: &Context<'_>| {
+        let mut findings = Findings::default();
+        findings.apply(first, context);
+        findings.apply(then, context);
+        findings
+    };
     let Context {
         source, interpretation, ..
     } = *context;
+    let mut findings;
     if source.text().len() < LARGE {
-        for rules in [STATEMENTS, STEPS, EACH, SOLIDS] {
-            findings.apply(rules, context);
-        }
-        return findings.sorted();
+        findings = find(others, context);
+        findings.extend(find(long, context).sorted());
+    } else {
+        findings = thread::scope(|scope| {
+            let long = scope.spawn(|| find(long, &Context::new(source, interpretation)).sorted());
+            let mut findings = find(others, context);
+            findings.extend(long.join().unwrap_or_else(|panic| resume_unwind(panic)));
+            findings
+        });
     }
-    let solids = || {
-        let mut findings = Findings::default();
-        let context = Context::new(source, interpretation);
-        findings.apply(STEPS, &context);
-        findings.apply(SOLIDS, &context);
-        findings.sorted()
-    };
-    thread::scope(|scope| {
-        let solids = scope.spawn(solids);
-        findings.apply(STATEMENTS, context);
-        findings.apply(EACH, context);
-        findings.extend(solids.join().unwrap_or_else(|panic| resume_unwind(panic)));
-    });
     findings.sorted()
 }
 
@@ -120,7 +164,7 @@ mod tests {
     use scenec_interpret::analyse;
     use scenec_text::SourceFile;
 
-    use super::{LARGE, lint};
+    use super::{LARGE, Reading, check as check_file, lint};
 
     /// What is found in a file is found, in the same order, where comments make it large.
     fn check(text: &str) {
@@ -131,6 +175,26 @@ mod tests {
         let small = findings(text.to_owned());
         assert!(small.len() > 1, "{small:?}");
         assert_eq!(small, findings(format!("{text}{}", "/ comment\n".repeat(LARGE / 10))));
+    }
+
+    /// What is found in two goes is what is found in one.
+    #[test]
+    fn a_reading_and_its_solids_are_everything() {
+        let text = format!(
+            "{}!a := sphere\n!b := sphere / scenec: allow W040, W041\n!b *= 0.5 0.5 0.5\n!c := hp\n!u := a | b\n!u <=\n!a += 1 1 1\n",
+            crate::PRELUDE
+        );
+        for text in [
+            text.clone(),
+            format!("{text}{}", "/ comment\n".repeat(LARGE / 10)),
+            format!("{text}$\n"),
+        ] {
+            let source = SourceFile::new("t", text).unwrap();
+            let reading = Reading::of(&source);
+            let solids = reading.solids(&source);
+            assert_eq!(solids.is_empty(), reading.interpretation.scene.is_none());
+            assert_eq!(reading.all(&source, &solids), check_file(&source).diagnostics);
+        }
     }
 
     #[test]

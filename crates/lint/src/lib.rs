@@ -16,6 +16,6 @@ mod rule;
 mod rules;
 mod suppress;
 
-pub use check::{Checked, check, check_keeping_lines, check_without_geometry, lint};
+pub use check::{Checked, Reading, check, check_without_geometry, lint};
 pub use page::{PRELUDE, Page, page, pages};
 pub use suppress::{allow_also, suppress};

@@ -170,8 +170,9 @@ impl Open {
             let (name, text) = (state.name.clone(), state.text.clone());
             let (version, revision) = (state.version, state.revision);
             drop(state);
+            let before = self.analysed.borrow().as_ref().and_then(|one| one.document.clone());
             let analysed = Analysed {
-                document: analyse(name, &text),
+                document: analyse(name, &text, before.as_deref()),
                 version,
                 revision,
             };
@@ -185,12 +186,13 @@ impl Open {
     }
 }
 
-fn analyse(name: String, text: &Text) -> Option<Arc<Document>> {
+fn analyse(name: String, text: &Text, before: Option<&Document>) -> Option<Arc<Document>> {
     let analyse = || {
-        SourceFile::new(name, text.whole())
-            .ok()
-            .map(Document::new)
-            .map(Arc::new)
+        let source = SourceFile::new(name, text.whole()).ok()?;
+        Some(Arc::new(match before {
+            Some(before) => Document::after(before, source),
+            None => Document::new(source),
+        }))
     };
     catch_unwind(AssertUnwindSafe(analyse)).ok().flatten()
 }

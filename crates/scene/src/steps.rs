@@ -57,11 +57,18 @@ impl StepKind {
     /// `transform` followed by this.
     #[must_use]
     #[inline]
-    pub fn after(self, transform: Transform) -> Transform {
+    pub fn after(self, mut transform: Transform) -> Transform {
+        self.follow(&mut transform);
+        transform
+    }
+
+    /// Makes `transform` what it is when followed by this.
+    #[inline]
+    fn follow(self, transform: &mut Transform) {
         match self {
-            Self::Scale(by) => transform.scaled(by),
-            Self::Rotate(axis, angle) => transform.rotated(axis, angle),
-            Self::Translate(by) => transform.translated(by),
+            Self::Scale(by) => transform.scale(by),
+            Self::Rotate(axis, angle) => transform.rotate(axis, angle),
+            Self::Translate(by) => transform.translate(by),
         }
     }
 }
@@ -73,6 +80,8 @@ pub struct Steps {
     list: Vec<Stored>,
     /// What some of them come to, by their numbers.
     kept: Vec<(StepId, Transform)>,
+    /// What the last one comes to: mostly the next one goes on from there.
+    newest: Option<(StepId, Transform)>,
 }
 
 /// A step in 40 bytes.
@@ -101,6 +110,7 @@ impl Steps {
         Self {
             list: Vec::with_capacity(room),
             kept: Vec::new(),
+            newest: None,
         }
     }
 
@@ -109,7 +119,11 @@ impl Steps {
     /// # Errors
     /// What it would come to, if not every number of that is finite; then nothing is added.
     pub fn push(&mut self, step: Step) -> Result<StepId, Box<Transform>> {
-        let transform = step.kind.after(self.transform(step.previous));
+        let mut transform = match self.newest {
+            Some((newest, transform)) if step.previous == Some(newest) => transform,
+            _ => self.transform(step.previous),
+        };
+        step.kind.follow(&mut transform);
         if !transform.is_finite() {
             return Err(Box::new(transform));
         }
@@ -133,6 +147,7 @@ impl Steps {
         if distance == 0 {
             self.kept.push((id, transform));
         }
+        self.newest = Some((id, transform));
         let (verb, by) = match step.kind {
             StepKind::Scale(by) => (Verb::Scale, by),
             StepKind::Rotate(axis, angle) => (Verb::Rotate(axis), DVec3::new(angle, 0.0, 0.0)),
@@ -166,7 +181,7 @@ impl Steps {
             next = stored.previous;
         }
         for stored in open.iter().rev().copied().flatten() {
-            transform = stored.kind().after(transform);
+            stored.kind().follow(&mut transform);
         }
         transform
     }

@@ -38,45 +38,64 @@ impl Transform {
 
     /// Followed by a scale along the world's axes; no component may be zero.
     #[must_use]
-    #[inline]
-    pub fn scaled(self, by: DVec3) -> Self {
-        self.then(DMat3::from_diagonal(by), DMat3::from_diagonal(by.recip()))
+    pub fn scaled(mut self, by: DVec3) -> Self {
+        self.scale(by);
+        self
     }
 
     /// Followed by a right-handed rotation about a world axis, in radians.
     #[must_use]
-    pub fn rotated(self, axis: Axis, angle: f64) -> Self {
+    pub fn rotated(mut self, axis: Axis, angle: f64) -> Self {
+        self.rotate(axis, angle);
+        self
+    }
+
+    /// Followed by a translation, world units.
+    #[must_use]
+    pub fn translated(mut self, by: DVec3) -> Self {
+        self.translate(by);
+        self
+    }
+
+    /// As [`Self::scaled`], in place: of the factor's matrix only the diagonal is not 0.
+    #[inline]
+    pub(crate) fn scale(&mut self, by: DVec3) {
+        let [x, y, z] = by.recip().to_array();
+        for column in [
+            &mut self.linear.x_axis,
+            &mut self.linear.y_axis,
+            &mut self.linear.z_axis,
+            &mut self.centre,
+        ] {
+            *column *= by;
+        }
+        self.inverse.x_axis *= x;
+        self.inverse.y_axis *= y;
+        self.inverse.z_axis *= z;
+    }
+
+    /// As [`Self::rotated`], in place.
+    pub(crate) fn rotate(&mut self, axis: Axis, angle: f64) {
         let turn = match axis {
             Axis::X => DMat3::from_rotation_x(angle),
             Axis::Y => DMat3::from_rotation_y(angle),
             Axis::Z => DMat3::from_rotation_z(angle),
         };
-        self.then(turn, turn.transpose())
+        self.linear = turn * self.linear;
+        self.inverse *= turn.transpose();
+        self.centre = turn * self.centre;
     }
 
-    /// Followed by a translation, world units.
-    #[must_use]
+    /// As [`Self::translated`], in place.
     #[inline]
-    pub fn translated(self, by: DVec3) -> Self {
-        Self {
-            centre: self.centre + by,
-            ..self
-        }
+    pub(crate) fn translate(&mut self, by: DVec3) {
+        self.centre += by;
     }
 
     /// Whether every number in it is finite; a long chain of scales can leave the range of a double.
     #[must_use]
     pub fn is_finite(&self) -> bool {
         self.linear.is_finite() && self.inverse.is_finite() && self.centre.is_finite()
-    }
-
-    #[inline]
-    fn then(self, factor: DMat3, inverse: DMat3) -> Self {
-        Self {
-            linear: factor * self.linear,
-            inverse: self.inverse * inverse,
-            centre: factor * self.centre,
-        }
     }
 }
 

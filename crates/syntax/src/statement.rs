@@ -79,7 +79,7 @@ pub enum Statement {
         /// The object.
         name: Span,
         /// The factors along x, y, z.
-        by: Box<[Value; 3]>,
+        by: [Value; 3],
     },
     /// `!x #y= v`
     Rotate {
@@ -95,7 +95,7 @@ pub enum Statement {
         /// The object.
         name: Span,
         /// How far along x, y, z.
-        by: Box<[Value; 3]>,
+        by: [Value; 3],
     },
     /// `!x <=`
     Submit {
@@ -220,6 +220,13 @@ pub enum ValueKind {
 }
 
 impl Value {
+    /// In the place of one that has not been read.
+    pub(crate) const NOTHING: Self = Self {
+        sign: None,
+        kind: ValueKind::Pi,
+        span: Span::at(0),
+    };
+
     /// `number` with this value's sign.
     #[must_use]
     pub fn signed(self, number: f64) -> f64 {

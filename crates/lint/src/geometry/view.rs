@@ -46,6 +46,9 @@ impl Frustum {
     /// Whether it is certain that no ray of the camera meets the submitted solid. Operands stand before combinations, so
     /// one pass over them suffices.
     pub(crate) fn misses(&self, scene: &Scene) -> bool {
+        if self.may_meet_a_member(scene) {
+            return false;
+        }
         let mut missed: Vec<bool> = Vec::with_capacity(scene.root.index() + 1);
         for solid in scene.solids.iter().take(scene.root.index() + 1) {
             let at = |id: scenec_scene::SolidId| missed.get(id.index()).copied().unwrap_or_default();
@@ -61,6 +64,31 @@ impl Frustum {
             missed.push(here);
         }
         missed.last().copied().unwrap_or_default()
+    }
+
+    /// Whether one of the leaves that the submitted solid is a union of may be met. Mostly the first one that is looked at is,
+    /// and nothing else has to be; where unions share members, looking ends after as many steps as there are solids.
+    fn may_meet_a_member(&self, scene: &Scene) -> bool {
+        let mut open = vec![scene.root];
+        for _ in &scene.solids {
+            let Some(id) = open.pop() else { return false };
+            let solid = scene.solid(id);
+            match &solid.kind {
+                SolidKind::Leaf(_) => {
+                    if Shape::of(scene, solid).is_none_or(|shape| !self.misses_shape(&shape)) {
+                        return true;
+                    }
+                }
+                SolidKind::Paint { inside, .. } => open.push(*inside),
+                SolidKind::Combine {
+                    op: Op::Union,
+                    left,
+                    right,
+                } => open.extend([*left, *right]),
+                SolidKind::Combine { .. } => {}
+            }
+        }
+        false
     }
 
     fn misses_shape(&self, shape: &Shape) -> bool {

@@ -70,9 +70,18 @@ fn name(items: &[lsp_types::Diagnostic]) -> String {
 
 /// The findings of a document as its configuration weighs them, and what is wrong with that configuration.
 pub(crate) fn findings(view: &View) -> (Vec<lsp_types::Diagnostic>, Option<String>) {
+    weighed(view, view.document.diagnostics())
+}
+
+/// The same with what is known at once of a large document; `None` where everything is.
+pub(crate) fn findings_at_once(view: &View) -> Option<(Vec<lsp_types::Diagnostic>, Option<String>)> {
+    Some(weighed(view, &view.document.diagnostics_at_once()?))
+}
+
+fn weighed(view: &View, found: &[Diagnostic]) -> (Vec<lsp_types::Diagnostic>, Option<String>) {
     let file = view.file_options();
-    let found = view.document.diagnostics().iter();
     let mut found: Vec<_> = found
+        .iter()
         .filter_map(|found| Some((found, (file.level)(found.code)?)))
         .collect();
     let left_out = found.len().saturating_sub(MOST);

@@ -229,3 +229,33 @@ fn more_than_anybody_reads_is_not_sent() {
     );
     client.farewell();
 }
+
+#[test]
+fn of_a_large_document_what_takes_long_is_sent_last() {
+    let comments = "/ a comment\n".repeat(10_000);
+    let solids = "!a := sphere\n!b := sphere\n!b *= 0.5 0.5 0.5\n!u := a | b\n!u <=\n";
+    let text = format!("{}{comments}{solids}", scenec_lint::PRELUDE);
+    let first = text.lines().count() - 5;
+    let mut client = Client::greeted(json!({}));
+    let sent = |client: &mut Client, version: i32| {
+        let sent = client.notification("textDocument/publishDiagnostics");
+        assert_eq!(sent["version"], version);
+        short(&sent["diagnostics"])
+    };
+    let covered = |line: usize| vec![format!("{line} W040")];
+    client.open(URI, &text);
+    assert_eq!(sent(&mut client, 1), Vec::<String>::new());
+    assert_eq!(sent(&mut client, 1), covered(first + 1));
+    // What was known moves with its words. It is right, and so it is not sent twice.
+    let top = json!({"start": {"line": 0, "character": 0}, "end": {"line": 0, "character": 0}});
+    client.change(URI, 2, json!([{"range": top, "text": "/\n"}]));
+    assert_eq!(sent(&mut client, 2), covered(first + 2));
+    // Now the other ball is the larger one, and what is wrong with a statement is told at once.
+    let line = first + 3;
+    let scale = json!({"start": {"line": line, "character": 0}, "end": {"line": line, "character": 17}});
+    client.change(URI, 3, json!([{"range": scale, "text": "!b *= 2 2 2\n!b += 0 0 0"}]));
+    let idle = format!("{} W014", line + 1);
+    assert_eq!(sent(&mut client, 3), [covered(first + 2)[0].clone(), idle.clone()]);
+    assert_eq!(sent(&mut client, 3), [covered(first + 1)[0].clone(), idle]);
+    client.farewell();
+}

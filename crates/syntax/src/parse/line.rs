@@ -79,19 +79,19 @@ impl<'a> LineParser<'a> {
 
     fn variable(&mut self, name: Span) -> Parsed<Statement> {
         self.define(Form::Variable)?;
-        let [value] = *self.values()?;
+        let [value] = self.values()?;
         Ok(Statement::Variable { name, value })
     }
 
     fn light(&mut self, name: Span) -> Parsed<Statement> {
         self.define(Form::Light)?;
-        let values = self.values()?;
+        let values = Box::new(self.values()?);
         Ok(Statement::Light { name, values })
     }
 
     fn material(&mut self, name: Span) -> Parsed<Statement> {
         self.define(Form::Material)?;
-        let values = self.values()?;
+        let values = Box::new(self.values()?);
         Ok(Statement::Material { name, values })
     }
 
@@ -132,10 +132,7 @@ impl<'a> LineParser<'a> {
             }
             Form::Scale => self.values().map(|by| Statement::Scale { name, by }),
             Form::Translate => self.values().map(|by| Statement::Translate { name, by }),
-            Form::Rotate => self.values().map(|angle| {
-                let [angle] = *angle;
-                Statement::Rotate { name, axis, angle }
-            }),
+            Form::Rotate => self.values().map(|[angle]| Statement::Rotate { name, axis, angle }),
             Form::Submit => self.end(form).map(|()| Statement::Submit { name }),
             _ => self.definition(name),
         }

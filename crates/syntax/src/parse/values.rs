@@ -8,13 +8,36 @@ use crate::{Form, Sign, Value, ValueKind};
 
 impl LineParser<'_> {
     /// The N values of the form just recognised, and the end of the line.
-    pub(super) fn values<const N: usize>(&mut self) -> Parsed<Box<[Value; N]>> {
+    pub(super) fn values<const N: usize>(&mut self) -> Parsed<[Value; N]> {
         let form = self.form.unwrap_or(Form::Variable);
-        let mut found = Vec::with_capacity(N);
+        let mut values = [Value::NOTHING; N];
+        let mut count = 0;
         while self.cursor.peek().is_some() {
-            found.push(self.value(form)?);
+            let value = self.value(form)?;
+            let Some(place) = values.get_mut(count) else {
+                return Err(self.one_too_many(form, &values, value));
+            };
+            *place = value;
+            count += 1;
         }
-        Box::<[Value; N]>::try_from(found).map_err(|found| self.miscounted(form, &found).into())
+        match values.get(..count).filter(|found| found.len() < N) {
+            Some(found) => Err(self.miscounted(form, found).into()),
+            None => Ok(values),
+        }
+    }
+
+    /// What to say of a line on which another value follows the last one that it takes.
+    #[cold]
+    fn one_too_many(&mut self, form: Form, values: &[Value], next: Value) -> Box<Diagnostic> {
+        let mut found = values.to_vec();
+        found.push(next);
+        while self.cursor.peek().is_some() {
+            match self.value(form) {
+                Ok(value) => found.push(value),
+                Err(finding) => return finding,
+            }
+        }
+        self.miscounted(form, &found).into()
     }
 
     fn value(&mut self, form: Form) -> Parsed<Value> {
