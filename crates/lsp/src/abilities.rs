@@ -37,6 +37,8 @@ pub(crate) struct Abilities {
     pub(crate) encoding: Encoding,
     /// It asks for findings; otherwise they are sent.
     pub(crate) pulls: bool,
+    /// It can be told to ask for findings again.
+    pub(crate) refreshes_findings: bool,
     /// It can be told to ask for inlay hints again.
     pub(crate) refreshes_hints: bool,
     /// It can be told to ask for code lenses again.
@@ -96,6 +98,7 @@ impl Abilities {
             return;
         };
         self.configuration = workspace.configuration == Some(true);
+        self.refreshes_findings = workspace.diagnostic.as_ref().and_then(|one| one.refresh_support) == Some(true);
         self.refreshes_hints = workspace.inlay_hint.as_ref().and_then(|one| one.refresh_support) == Some(true);
         self.refreshes_lenses = workspace.code_lens.as_ref().and_then(|one| one.refresh_support) == Some(true);
         let watching = workspace.did_change_watched_files.as_ref();

@@ -1,12 +1,30 @@
 //! What newer clients say of themselves in places where the protocol library does not look: it is said again where it does.
 
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 /// What findings may hold. Clients that ask for findings may tell of it there alone.
 const OF_FINDINGS: [&str; 3] = ["relatedInformation", "tagSupport", "codeDescriptionSupport"];
 
 /// Mends the parameters of a greeting. Tells whether there was anything to mend.
 pub(crate) fn say_again(greeting: &mut Value) -> bool {
+    of_workspace(greeting) | of_findings(greeting)
+}
+
+/// The library looks for what clients say of findings in the workspace under another name than they give it.
+fn of_workspace(greeting: &mut Value) -> bool {
+    let workspace = greeting.pointer_mut("/capabilities/workspace");
+    let Some(workspace) = workspace.and_then(Value::as_object_mut) else {
+        return false;
+    };
+    let refreshes =
+        workspace.get("diagnostics").and_then(|said| said.get("refreshSupport")) == Some(&Value::Bool(true));
+    if refreshes {
+        workspace.insert("diagnostic".to_owned(), json!({"refreshSupport": true}));
+    }
+    refreshes
+}
+
+fn of_findings(greeting: &mut Value) -> bool {
     let document = greeting.pointer_mut("/capabilities/textDocument");
     let Some(document) = document.and_then(Value::as_object_mut) else {
         return false;
@@ -71,6 +89,16 @@ mod tests {
             json!(null),
             false,
         );
+    }
+
+    #[test]
+    fn what_is_said_of_findings_in_the_workspace_counts() {
+        for (said, mended) in [(json!(true), true), (json!(false), false), (json!(null), false)] {
+            let mut greeting = json!({"capabilities": {"workspace": {"diagnostics": {"refreshSupport": said}}}});
+            assert_eq!(say_again(&mut greeting), mended, "{said}");
+            let heard = &greeting["capabilities"]["workspace"]["diagnostic"]["refreshSupport"];
+            assert_eq!(heard == &json!(true), mended, "{said}");
+        }
     }
 
     #[test]

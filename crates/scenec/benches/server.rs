@@ -23,7 +23,7 @@ fn main() {
     let options = Options::read();
     println!("| document | request | p50 | p99 | most |\n|---|---|---:|---:|---:|");
     for &size in &options.sizes {
-        let mut session = Session::open(&scene(size));
+        let mut session = Session::open(&scene(size), true);
         let rounds = if size > 5_000_000 {
             options.rounds.min(50)
         } else {
@@ -35,16 +35,23 @@ fn main() {
             "keystroke to findings",
             &session.many(rounds, Session::keystroke),
         );
+        let mut patient = Session::open(&scene(size), false);
+        row(
+            &name,
+            "keystroke to all findings",
+            &patient.many(rounds, Session::keystroke),
+        );
+        drop(patient);
         row(&name, "hover", &session.many(rounds, Session::hover));
         row(&name, "completion", &session.many(rounds, Session::completion));
     }
-    let mut session = Session::open(SEED);
+    let mut session = Session::open(SEED, true);
     row(
         "seed.scene",
         "keystroke to first pixels",
         &session.many(options.rounds, Session::pixels),
     );
-    let mut session = Session::open(&scene(1000));
+    let mut session = Session::open(&scene(1000), true);
     let time = session.burst(options.burst);
     println!(
         "\n{} edits in one go, then the findings: {:.0} ms",
@@ -120,7 +127,7 @@ fn row(document: &str, what: &str, times: &[Duration]) {
 
 /// Types for some seconds; the memory should stay where it is after the first part.
 fn soak(seconds: u64) {
-    let mut session = Session::open(&scene(100_000));
+    let mut session = Session::open(&scene(100_000), true);
     let parts = 5;
     for part in 0..=parts {
         println!(
@@ -148,7 +155,8 @@ struct Session {
 }
 
 impl Session {
-    fn open(text: &str) -> Self {
+    /// With a client that can be told to ask for findings again, or one that can't, which waits for all of them.
+    fn open(text: &str, asks_again: bool) -> Self {
         let mut server = Command::new(env!("CARGO_BIN_EXE_scenec"))
             .arg("lsp")
             .stdin(Stdio::piped())
@@ -173,7 +181,8 @@ impl Session {
             version: 1,
             line: text.lines().count() as u64 / 2,
         };
-        let capabilities = json!({"textDocument": {"diagnostic": {}, "hover": {"contentFormat": ["markdown"]}}});
+        let capabilities = json!({"textDocument": {"diagnostic": {}, "hover": {"contentFormat": ["markdown"]}},
+            "workspace": {"diagnostics": {"refreshSupport": asks_again}}});
         session.ask(
             "initialize",
             json!({"processId": null, "rootUri": null, "capabilities": capabilities}),

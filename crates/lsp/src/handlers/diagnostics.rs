@@ -8,6 +8,7 @@ use tower_lsp::lsp_types::{
     self, CodeDescription, DiagnosticRelatedInformation, DiagnosticSeverity, DiagnosticTag, DocumentDiagnosticParams,
     DocumentDiagnosticReport, DocumentDiagnosticReportResult, FullDocumentDiagnosticReport, NumberOrString,
     RelatedFullDocumentDiagnosticReport, RelatedUnchangedDocumentDiagnosticReport, UnchangedDocumentDiagnosticReport,
+    Url,
 };
 
 use crate::server::Server;
@@ -34,14 +35,23 @@ const IDLE: [Code; 10] = [
     Code::MaterialReplaced,
 ];
 
-/// Answers with the findings of the newest text, or that they are what they were.
+/// Answers with the findings of the newest text, or that they are what they were. A client that can be told to ask again gets
+/// those of a large document that are known at once, and is told so when all are known, if they are others.
 ///
 /// # Errors
 /// As [`Server::on`].
 pub(crate) async fn pull(server: &Server, params: DocumentDiagnosticParams) -> Result<DocumentDiagnosticReportResult> {
-    let previous = params.previous_result_id;
-    let found = server.on(&params.text_document.uri, findings).await?;
-    let (items, problem) = found.unwrap_or_default();
+    let (url, previous) = (params.text_document.uri, params.previous_result_id);
+    let again = server.abilities().refreshes_findings;
+    let found = server.on(&url, move |view| {
+        let known = findings_at_once(view).filter(|_| again);
+        let later = known.is_some().then_some(view.revision);
+        (known.unwrap_or_else(|| findings(view)), later)
+    });
+    let ((items, problem), later) = found.await?.unwrap_or_default();
+    if let Some(revision) = later {
+        tokio::spawn(ask_again(server.clone(), url, revision, items.clone()));
+    }
     server.tell_once(problem);
     let result_id = name(&items);
     let report = if previous.as_ref() == Some(&result_id) {
@@ -59,6 +69,15 @@ pub(crate) async fn pull(server: &Server, params: DocumentDiagnosticParams) -> R
         })
     };
     Ok(DocumentDiagnosticReportResult::Report(report))
+}
+
+/// Tells the client to ask again once everything is known of a state of a document of which it was told `known`, unless there is a
+/// newer state, of which it asks by itself.
+async fn ask_again(server: Server, url: Url, revision: u64, known: Vec<lsp_types::Diagnostic>) {
+    let others = move |view: &View| view.revision == revision && findings(view).0 != known;
+    if let Ok(Some(true)) = server.on(&url, others).await {
+        server.client.workspace_diagnostic_refresh().await.unwrap_or_default();
+    }
 }
 
 /// A name for findings: the same findings have the same one.

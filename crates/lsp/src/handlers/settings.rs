@@ -50,9 +50,8 @@ pub(crate) fn refresh(server: &Server) {
     }
     let client = server.client.clone();
     tokio::spawn(async move {
-        // A client that refuses shows what it had. Whether it would refuse findings can't be known: the library looks for
-        // that ability under another name than clients give it.
-        if abilities.pulls {
+        // A client that refuses shows what it had.
+        if abilities.refreshes_findings {
             client.workspace_diagnostic_refresh().await.unwrap_or_default();
         }
         if abilities.refreshes_hints {

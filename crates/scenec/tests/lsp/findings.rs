@@ -230,12 +230,38 @@ fn more_than_anybody_reads_is_not_sent() {
     client.farewell();
 }
 
-#[test]
-fn of_a_large_document_what_takes_long_is_sent_last() {
+/// A large document in which a ball covers another one, and the line on which the first of the two is made.
+fn large() -> (String, usize) {
     let comments = "/ a comment\n".repeat(10_000);
     let solids = "!a := sphere\n!b := sphere\n!b *= 0.5 0.5 0.5\n!u := a | b\n!u <=\n";
     let text = format!("{}{comments}{solids}", scenec_lint::PRELUDE);
     let first = text.lines().count() - 5;
+    (text, first)
+}
+
+#[test]
+fn a_client_that_asks_about_a_large_document_is_told_to_ask_again() {
+    let (text, first) = large();
+    let document = json!({"diagnostic": {}});
+    let workspace = json!({"diagnostics": {"refreshSupport": true}});
+    let mut client = Client::greeted(json!({"textDocument": document, "workspace": workspace}));
+    client.open(URI, &text);
+    assert_eq!(short(&client.findings(URI)), Vec::<String>::new());
+    let refresh = client.question("workspace/diagnostic/refresh");
+    client.reply(&refresh, json!(null));
+    let covered = [format!("{} W040", first + 1)];
+    assert_eq!(short(&client.findings(URI)), covered);
+    client.farewell();
+    // One that can't be told waits.
+    let mut client = Client::greeted(json!({"textDocument": document}));
+    client.open(URI, &text);
+    assert_eq!(short(&client.findings(URI)), covered);
+    client.farewell();
+}
+
+#[test]
+fn of_a_large_document_what_takes_long_is_sent_last() {
+    let (text, first) = large();
     let mut client = Client::greeted(json!({}));
     let sent = |client: &mut Client, version: i32| {
         let sent = client.notification("textDocument/publishDiagnostics");

@@ -9,10 +9,10 @@ use super::Lines;
 use crate::Line;
 
 /// Files of fewer bytes are read before a thread has come to life.
-const LARGE: usize = 1 << 18;
+const LARGE: usize = 1 << 22;
 
 /// How many lines are handed over at once, and how many times that many may wait.
-const BATCH: usize = 1024;
+const BATCH: usize = 4096;
 const WAITING: usize = 4;
 
 /// Hands the lines of a file to `work`, as [`Lines`] reads them; those of a large file are read ahead meanwhile, a bounded
