@@ -17,6 +17,9 @@ use crate::suppress::suppress;
 /// In files of fewer bytes the rules are through before a thread has come to life.
 const LARGE: usize = 1 << 16;
 
+/// A line takes at least about so many bytes.
+const BYTES_PER_LINE: usize = 16;
+
 /// A file that went all the way: what it means, and everything that was found.
 #[derive(Clone, Debug)]
 pub struct Checked {
@@ -60,7 +63,9 @@ impl Reading {
     pub fn of(source: &SourceFile) -> Self {
         let ((lines, (interpretation, more)), mut findings) = read_ahead(source, |lines| {
             let mut interpreter = Interpreter::new(source);
-            let mut kept = Vec::new();
+            // Room for all, unless most lines are blank; a list that grows is copied again and again.
+            let room = (source.line_count() as usize).min(source.text().len() / BYTES_PER_LINE);
+            let mut kept = Vec::with_capacity(room);
             for line in lines {
                 interpreter.line(&line);
                 kept.push(line);
