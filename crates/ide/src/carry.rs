@@ -1,9 +1,6 @@
 //! Findings about one text, moved to where their places are in the next one.
 
-use scenec_text::{Diagnostic, Span};
-
-/// How many bytes are compared at once.
-const BLOCK: usize = 4096;
+use scenec_text::{CommonEnds, Diagnostic, Span};
 
 /// The findings about `before` whose places all stand unchanged in `after`, at their new offsets; those that the edit touches are
 /// left out, and so are repairs that it touches.
@@ -11,88 +8,36 @@ pub(crate) fn carry(findings: &[Diagnostic], before: &str, after: &str) -> Vec<D
     if findings.is_empty() {
         return Vec::new();
     }
-    let kept = Kept::of(before.as_bytes(), after.as_bytes());
-    findings.iter().filter_map(|finding| kept.moved(finding)).collect()
+    let kept = CommonEnds::of(before, after);
+    findings.iter().filter_map(|finding| moved(kept, finding)).collect()
 }
 
-/// What two texts have in common at their ends, which do not overlap in either.
-struct Kept {
-    head: u32,
-    /// Where the common end begins in each.
-    tails: [u32; 2],
+fn moved(kept: CommonEnds, finding: &Diagnostic) -> Option<Diagnostic> {
+    let mut moved = finding.clone();
+    for label in &mut moved.labels {
+        label.span = place(kept, label.span)?;
+    }
+    if let Some(fix) = &mut moved.fix {
+        let places = fix.edits.iter().map(|edit| place(kept, edit.span));
+        match places.collect::<Option<Vec<_>>>() {
+            Some(places) => fix
+                .edits
+                .iter_mut()
+                .zip(places)
+                .for_each(|(edit, span)| edit.span = span),
+            None => moved.fix = None,
+        }
+    }
+    Some(moved)
 }
 
-impl Kept {
-    fn of(before: &[u8], after: &[u8]) -> Self {
-        let head = common(
-            before,
-            after,
-            |text, at| text.get(at..at + BLOCK),
-            |text, at| text.get(at),
-        );
-        let rest = [before, after].map(|text| text.get(head..).unwrap_or_default());
-        let from_end = |text: &[u8], at: usize| text.len().checked_sub(at);
-        let tail = common(
-            rest[0],
-            rest[1],
-            |text, at| from_end(text, at).and_then(|end| text.get(end.checked_sub(BLOCK)?..end)),
-            |text, at| from_end(text, at + 1).and_then(|at| text.get(at)),
-        );
-        let offset = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
-        Self {
-            head: offset(head),
-            tails: [before, after].map(|text| offset(text.len() - tail)),
-        }
+fn place(kept: CommonEnds, span: Span) -> Option<Span> {
+    if span.end <= kept.head {
+        return Some(span);
     }
-
-    fn place(&self, span: Span) -> Option<Span> {
-        if span.end <= self.head {
-            return Some(span);
-        }
-        let [before, after] = self.tails;
-        let moved = |at: u32| Some(at.checked_sub(before)? + after);
-        Some(Span::new(moved(span.start)?, moved(span.end)?))
-    }
-
-    fn moved(&self, finding: &Diagnostic) -> Option<Diagnostic> {
-        let mut moved = finding.clone();
-        for label in &mut moved.labels {
-            label.span = self.place(label.span)?;
-        }
-        if let Some(fix) = &mut moved.fix {
-            let places = fix.edits.iter().map(|edit| self.place(edit.span));
-            match places.collect::<Option<Vec<_>>>() {
-                Some(places) => fix
-                    .edits
-                    .iter_mut()
-                    .zip(places)
-                    .for_each(|(edit, span)| edit.span = span),
-                None => moved.fix = None,
-            }
-        }
-        Some(moved)
-    }
-}
-
-/// How many bytes two texts have in common from one end on: whole blocks first, then one by one.
-fn common(
-    a: &[u8],
-    b: &[u8],
-    block: impl for<'t> Fn(&'t [u8], usize) -> Option<&'t [u8]>,
-    byte: impl for<'t> Fn(&'t [u8], usize) -> Option<&'t u8>,
-) -> usize {
-    let mut count = 0;
-    while let Some(one) = block(a, count)
-        && Some(one) == block(b, count)
-    {
-        count += BLOCK;
-    }
-    while let Some(one) = byte(a, count)
-        && Some(one) == byte(b, count)
-    {
-        count += 1;
-    }
-    count
+    let [before, after] = kept.tails;
+    let moved = |at: u32| Some(at.checked_sub(before)? + after);
+    Some(Span::new(moved(span.start)?, moved(span.end)?))
 }
 
 #[cfg(test)]

@@ -33,10 +33,14 @@ impl Document {
     /// Takes a text through all stages but the rules about solids.
     #[must_use]
     pub fn new(source: SourceFile) -> Self {
+        Self::read(Reading::of(&source), source, Vec::new())
+    }
+
+    fn read(reading: Reading, source: SourceFile, carried: Vec<Diagnostic>) -> Self {
         Self {
-            reading: Reading::of(&source),
             source,
-            carried: Vec::new(),
+            reading,
+            carried,
             solids: OnceLock::new(),
             diagnostics: OnceLock::new(),
             occurrences: OnceLock::new(),
@@ -49,10 +53,8 @@ impl Document {
     #[must_use]
     pub fn after(before: &Self, source: SourceFile) -> Self {
         let known = before.solids.get().unwrap_or(&before.carried);
-        Self {
-            carried: carry(known, before.text(), source.text()),
-            ..Self::new(source)
-        }
+        let carried = carry(known, before.text(), source.text());
+        Self::read(before.reading.after(&before.source, &source), source, carried)
     }
 
     /// The text and its line index.

@@ -4,7 +4,7 @@ use std::panic::resume_unwind;
 use std::thread;
 
 use scenec_interpret::{Interpretation, Interpreter, interpret};
-use scenec_syntax::{Line, Lines, read_ahead};
+use scenec_syntax::{Line, Lines, parse_again, read_ahead};
 use scenec_text::{Diagnostic, SourceFile};
 
 use crate::context::Context;
@@ -55,13 +55,15 @@ pub struct Reading {
     pub interpretation: Interpretation,
     /// What was found so far; comments have not silenced anything yet.
     findings: Vec<Diagnostic>,
+    /// Whether nothing was found on the lines themselves.
+    sound: bool,
 }
 
 impl Reading {
     /// Reads and interprets a file and applies the rules that look at one statement or transform after the other.
     #[must_use]
     pub fn of(source: &SourceFile) -> Self {
-        let ((lines, (interpretation, more)), mut findings) = read_ahead(source, |lines| {
+        let ((lines, read), findings) = read_ahead(source, |lines| {
             let mut interpreter = Interpreter::new(source);
             // Room for all, unless most lines are blank; a list that grows is copied again and again.
             let room = (source.line_count() as usize).min(source.text().len() / BYTES_PER_LINE);
@@ -72,14 +74,33 @@ impl Reading {
             }
             (kept, interpreter.finish())
         });
-        findings.extend(more);
-        let context = Context::new(source, &interpretation);
-        mend(&context, &mut findings);
-        findings.extend(one_by_one(&context));
+        Self::new(source, lines, findings, read)
+    }
+
+    /// The same for what became of a file by an edit: of most lines it is known what they say.
+    #[must_use]
+    pub fn after(&self, before: &SourceFile, source: &SourceFile) -> Self {
+        if !self.sound {
+            return Self::of(source);
+        }
+        let (lines, findings) = parse_again(before, &self.lines, source);
+        let read = interpret(source, &lines);
+        Self::new(source, lines, findings, read)
+    }
+
+    fn new(
+        source: &SourceFile,
+        lines: Vec<Line>,
+        findings: Vec<Diagnostic>,
+        read: (Interpretation, Vec<Diagnostic>),
+    ) -> Self {
+        let sound = findings.is_empty();
+        let (interpretation, findings) = found(source, findings, read, one_by_one);
         Self {
             lines,
             interpretation,
             findings,
+            sound,
         }
     }
 
@@ -101,20 +122,31 @@ impl Reading {
 
 fn judge(
     source: &SourceFile,
-    mut diagnostics: Vec<Diagnostic>,
-    (interpretation, more): (Interpretation, Vec<Diagnostic>),
+    diagnostics: Vec<Diagnostic>,
+    read: (Interpretation, Vec<Diagnostic>),
     rules: impl FnOnce(&Context<'_>) -> Vec<Diagnostic>,
 ) -> Checked {
-    diagnostics.extend(more);
-    let context = Context::new(source, &interpretation);
-    mend(&context, &mut diagnostics);
-    diagnostics.extend(rules(&context));
+    let (interpretation, mut diagnostics) = found(source, diagnostics, read, rules);
     findings::sort(&mut diagnostics);
     let diagnostics = suppress(source, diagnostics);
     Checked {
         interpretation,
         diagnostics,
     }
+}
+
+/// What the parser, the interpreter and some rules found, mended where that is mechanical, in no order.
+fn found(
+    source: &SourceFile,
+    mut findings: Vec<Diagnostic>,
+    (interpretation, more): (Interpretation, Vec<Diagnostic>),
+    rules: impl FnOnce(&Context<'_>) -> Vec<Diagnostic>,
+) -> (Interpretation, Vec<Diagnostic>) {
+    findings.extend(more);
+    let context = Context::new(source, &interpretation);
+    mend(&context, &mut findings);
+    findings.extend(rules(&context));
+    (interpretation, findings)
 }
 
 /// Applies every rule to a file that has been interpreted. The findings are ordered by place; what the earlier stages
@@ -198,7 +230,16 @@ mod tests {
             let reading = Reading::of(&source);
             let solids = reading.solids(&source);
             assert_eq!(solids.is_empty(), reading.interpretation.scene.is_none());
-            assert_eq!(reading.all(&source, &solids), check_file(&source).diagnostics);
+            let all = reading.all(&source, &solids);
+            assert_eq!(all, check_file(&source).diagnostics);
+            // And what is found after an edit, and after one that takes it back.
+            let edited = SourceFile::new("t", source.text().replace("!b *= 0.5", "!b *= $ 0.5")).unwrap();
+            let other = reading.after(&source, &edited);
+            assert_eq!(
+                other.all(&edited, &other.solids(&edited)),
+                check_file(&edited).diagnostics
+            );
+            assert_eq!(other.after(&edited, &source).all(&source, &solids), all);
         }
     }
 

@@ -14,7 +14,7 @@ mod token;
 
 pub use format::{FormatStyle, Refused, format};
 pub use forms::{FORMS, Form, FormInfo, Space};
-pub use parse::{Lines, line, parse, read_ahead};
+pub use parse::{Lines, line, parse, parse_again, read_ahead};
 pub use quote::quote;
 pub use statement::{Axis, Broken, Content, Line, Operator, Sign, Statement, Value, ValueKind};
 pub use token::{Token, scan};

@@ -1,5 +1,6 @@
 //! The parser: a line of tokens becomes a statement, or a broken line and its report.
 
+mod again;
 mod ahead;
 mod cursor;
 mod line;
@@ -9,6 +10,7 @@ use scenec_text::{Diagnostic, Severity, SourceFile, Span};
 
 use crate::token::{Scanner, Token, Word};
 use crate::{Broken, Content, Line, characters, number};
+pub use again::parse_again;
 pub use ahead::read_ahead;
 use line::LineParser;
 

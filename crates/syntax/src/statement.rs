@@ -15,6 +15,23 @@ pub struct Line {
     pub comment: Option<Span>,
 }
 
+impl Line {
+    /// The same line so many bytes further on, or, counted modulo 2^32, further back.
+    #[must_use]
+    pub(crate) fn moved(&self, by: u32) -> Self {
+        let mut moved = self.clone();
+        let shift = |span: &mut Span| *span = span.moved(by);
+        shift(&mut moved.span);
+        moved.comment.iter_mut().for_each(shift);
+        match &mut moved.content {
+            Content::Comment => {}
+            Content::Statement(statement) => statement.spans(shift),
+            Content::Broken(broken) => broken.name.iter_mut().chain(&mut broken.mentions).for_each(shift),
+        }
+        moved
+    }
+}
+
 /// What a line says.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Content {
@@ -150,6 +167,37 @@ impl Statement {
             | Self::Submit { name }
             | Self::Light { name, .. }
             | Self::Material { name, .. } => *name,
+        }
+    }
+
+    /// Calls `visit` with every place in it.
+    fn spans(&mut self, mut visit: impl FnMut(&mut Span)) {
+        let mut value = |value: &mut Value| {
+            visit(&mut value.span);
+            if let ValueKind::Name(name) = &mut value.kind {
+                visit(name);
+            }
+        };
+        match self {
+            Self::Variable { value: one, .. } | Self::Rotate { angle: one, .. } => value(one),
+            Self::Scale { by, .. } | Self::Translate { by, .. } => by.iter_mut().for_each(value),
+            Self::Light { values, .. } => values.iter_mut().for_each(value),
+            Self::Material { values, .. } => values.iter_mut().for_each(value),
+            Self::Object { base: other, .. } | Self::MaterialSet { material: other, .. } => visit(other),
+            Self::Combination { left, right, .. } => [left, right].into_iter().for_each(&mut visit),
+            Self::Submit { .. } => {}
+        }
+        match self {
+            Self::Variable { name, .. }
+            | Self::Object { name, .. }
+            | Self::Combination { name, .. }
+            | Self::MaterialSet { name, .. }
+            | Self::Scale { name, .. }
+            | Self::Rotate { name, .. }
+            | Self::Translate { name, .. }
+            | Self::Submit { name }
+            | Self::Light { name, .. }
+            | Self::Material { name, .. } => visit(name),
         }
     }
 

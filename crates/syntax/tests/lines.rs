@@ -139,8 +139,10 @@ fn a_million_blank_and_comment_lines_need_no_stack() {
     assert_eq!(lines, 500_001);
 }
 
+/// The three values of a transform lie in the statement: whoever keeps lines copies them at every edit, and a block of memory for each
+/// would take longer than the larger lines do. The six and ten of lights and materials, of which there are few, do not.
 #[test]
 fn lines_are_small() {
-    assert!(size_of::<Statement>() <= 56, "{}", size_of::<Statement>());
-    assert!(size_of::<Line>() <= 80, "{}", size_of::<Line>());
+    assert!(size_of::<Statement>() <= 112, "{}", size_of::<Statement>());
+    assert!(size_of::<Line>() <= 136, "{}", size_of::<Line>());
 }

@@ -4,6 +4,7 @@
 
 mod codes;
 mod diagnostic;
+mod ends;
 mod line_index;
 mod repair;
 mod source;
@@ -12,6 +13,7 @@ mod suggest;
 
 pub use codes::{Code, Severity};
 pub use diagnostic::{Diagnostic, Edit, Fix, Label};
+pub use ends::CommonEnds;
 pub use repair::{apply, fitting};
 pub use source::{MAX_FILE_BYTES, Position, SourceFile, TooLarge};
 pub use span::Span;

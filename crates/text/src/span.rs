@@ -42,6 +42,12 @@ impl Span {
         Self::new(self.start.min(other.start), self.end.max(other.end))
     }
 
+    /// The place so many bytes further on, or, counted modulo 2^32, further back.
+    #[must_use]
+    pub const fn moved(self, by: u32) -> Self {
+        Self::new(self.start.wrapping_add(by), self.end.wrapping_add(by))
+    }
+
     /// The same range, for indexing.
     #[must_use]
     pub const fn range(self) -> Range<usize> {
