@@ -59,7 +59,7 @@ pub enum CompletionKind {
 
 /// The most names that are offered at once: a list with so many may lack some, and is worth asking for again when more
 /// letters are typed.
-pub const MOST_NAMES: usize = 250;
+pub const MOST_NAMES: usize = 100;
 
 /// What may be written at an offset. Names are those that are bound on earlier lines.
 #[must_use]
