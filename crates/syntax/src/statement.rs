@@ -172,32 +172,23 @@ impl Statement {
 
     /// Calls `visit` with every place in it.
     fn spans(&mut self, mut visit: impl FnMut(&mut Span)) {
-        let mut value = |value: &mut Value| {
+        let (names, values): ([Option<&mut Span>; 3], &mut [Value]) = match self {
+            Self::Variable { name, value } => ([Some(name), None, None], std::slice::from_mut(value)),
+            Self::Rotate { name, angle, .. } => ([Some(name), None, None], std::slice::from_mut(angle)),
+            Self::Scale { name, by } | Self::Translate { name, by } => ([Some(name), None, None], by),
+            Self::Light { name, values } => ([Some(name), None, None], values.as_mut_slice()),
+            Self::Material { name, values } => ([Some(name), None, None], values.as_mut_slice()),
+            Self::Object { name, base } => ([Some(name), Some(base), None], &mut []),
+            Self::MaterialSet { name, material } => ([Some(name), Some(material), None], &mut []),
+            Self::Combination { name, left, right, .. } => ([Some(name), Some(left), Some(right)], &mut []),
+            Self::Submit { name } => ([Some(name), None, None], &mut []),
+        };
+        names.into_iter().flatten().for_each(&mut visit);
+        for value in values {
             visit(&mut value.span);
             if let ValueKind::Name(name) = &mut value.kind {
                 visit(name);
             }
-        };
-        match self {
-            Self::Variable { value: one, .. } | Self::Rotate { angle: one, .. } => value(one),
-            Self::Scale { by, .. } | Self::Translate { by, .. } => by.iter_mut().for_each(value),
-            Self::Light { values, .. } => values.iter_mut().for_each(value),
-            Self::Material { values, .. } => values.iter_mut().for_each(value),
-            Self::Object { base: other, .. } | Self::MaterialSet { material: other, .. } => visit(other),
-            Self::Combination { left, right, .. } => [left, right].into_iter().for_each(&mut visit),
-            Self::Submit { .. } => {}
-        }
-        match self {
-            Self::Variable { name, .. }
-            | Self::Object { name, .. }
-            | Self::Combination { name, .. }
-            | Self::MaterialSet { name, .. }
-            | Self::Scale { name, .. }
-            | Self::Rotate { name, .. }
-            | Self::Translate { name, .. }
-            | Self::Submit { name }
-            | Self::Light { name, .. }
-            | Self::Material { name, .. } => visit(name),
         }
     }
 

@@ -44,7 +44,7 @@ pub(crate) async fn pull(server: &Server, params: DocumentDiagnosticParams) -> R
     let (url, previous) = (params.text_document.uri, params.previous_result_id);
     let again = server.abilities().refreshes_findings;
     let found = server.on(&url, move |view| {
-        let known = findings_at_once(view).filter(|_| again);
+        let known = again.then(|| findings_at_once(view)).flatten();
         let later = known.is_some().then_some(view.revision);
         (known.unwrap_or_else(|| findings(view)), later)
     });
