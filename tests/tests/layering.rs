@@ -46,7 +46,11 @@ const ROOMS: &[Room] = &[
         ],
         &[],
     ),
-    room("scenec-plan", &["scenec-text", "scenec-scene"], &["obvhs"]),
+    room(
+        "scenec-plan",
+        &["scenec-text", "scenec-scene"],
+        &["hashbrown", "obvhs", "rayon"],
+    ),
     room("scenec-picture", &[], &["image", "tempfile"]),
     room("scenec-reference", &["scenec-scene", "scenec-picture"], &[]),
     room(
@@ -133,7 +137,7 @@ const ROOMS: &[Room] = &[
 ];
 
 /// Outside crates that more than one room may use; any other belongs to one room alone.
-const SHARED: &[&str] = &["serde", "serde_json", "tempfile", "toml"];
+const SHARED: &[&str] = &["hashbrown", "rayon", "serde", "serde_json", "tempfile", "toml"];
 
 /// The most lines that a source file may have.
 const LONGEST: usize = 500;

@@ -1,7 +1,6 @@
 //! The hierarchy over bounded islands.
 
-use std::collections::HashSet;
-
+use hashbrown::HashSet;
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
@@ -23,33 +22,27 @@ const LEAF_ISLANDS: usize = 4;
 
 /// Puts the unbounded islands first and the rest into the order of a hierarchy, if there are enough of them.
 pub(crate) fn arrange(mut flat: Flat) -> Flat {
-    flat.islands.sort_by_key(|island| island.bounds.is_finite());
-    flat.linear = flat.islands.partition_point(|island| !island.bounds.is_finite());
-    let bounded = &flat.islands[flat.linear..];
-    let members: u32 = bounded.iter().map(|island| island.members.1 - island.members.0).sum();
+    let (mut islands, bounded): (Vec<_>, Vec<_>) =
+        (0..flat.islands.len() as u32).partition(|index| !flat.islands[*index as usize].bounds.is_finite());
+    let island = |index: u32| &flat.islands[index as usize];
+    let members: u32 = bounded
+        .iter()
+        .map(|index| island(*index).members.1 - island(*index).members.0)
+        .sum();
     if members <= SHORT_LIST {
-        flat.linear = flat.islands.len();
-        return flat;
+        islands.extend(bounded);
+        flat.linear = islands.len();
+    } else {
+        let boxes: Vec<_> = bounded.iter().map(|index| outward(&island(*index).bounds)).collect();
+        let (order, mut nodes) = build(&boxes);
+        flat.linear = islands.len();
+        islands.extend(order.iter().map(|place| bounded[*place as usize]));
+        for node in nodes.iter_mut().filter(|node| node.count > 0) {
+            node.first += flat.linear as u32;
+        }
+        flat.nodes = nodes;
     }
-    let boxes: Vec<_> = bounded.iter().map(|island| outward(&island.bounds)).collect();
-    let (order, nodes) = build(&boxes);
-    let bounded = order.iter().map(|index| bounded[*index as usize]).collect::<Vec<_>>();
-    flat.islands.truncate(flat.linear);
-    flat.islands.extend(bounded);
-    let first = flat.linear as u32;
-    flat.nodes = nodes
-        .into_iter()
-        .map(|node| {
-            if node.count > 0 {
-                Node {
-                    first: node.first + first,
-                    ..node
-                }
-            } else {
-                node
-            }
-        })
-        .collect();
+    flat.islands = islands.into_iter().map(|index| flat.islands[index as usize]).collect();
     flat
 }
 
@@ -67,15 +60,12 @@ fn outward(bounds: &Box3) -> Corners {
 
 /// The order of the islands, and nodes whose leaves count from 0 in that order.
 fn build(boxes: &[Corners]) -> (Vec<u32>, Vec<Node>) {
-    let fine = Some(boxes)
-        .filter(|boxes| spread(boxes))
-        .and_then(clustered)
-        .map(|tree| {
-            let nodes: Vec<_> = tree.nodes.iter().map(node).collect();
-            (tree.primitive_indices, nodes)
-        });
+    let fine = Some(boxes).filter(|boxes| spread(boxes)).and_then(clustered);
     match fine {
-        Some((order, nodes)) if order.len() == boxes.len() && depth(&nodes) <= MAX_DEPTH => (order, nodes),
+        Some(tree) if tree.primitive_indices.len() == boxes.len() && depth(children(&tree)) <= MAX_DEPTH => {
+            let nodes = tree.nodes.iter().map(node).collect();
+            (tree.primitive_indices, nodes)
+        }
         _ => halved(boxes),
     }
 }
@@ -83,9 +73,12 @@ fn build(boxes: &[Corners]) -> (Vec<u32>, Vec<Node>) {
 /// Whether the boxes stand in places of their own. The library's builder joins neighbours along a space-filling curve; of
 /// many boxes in one place it joins one pair a pass, which is quadratic.
 fn spread(boxes: &[Corners]) -> bool {
-    let middle = |[low, high]: &Corners| std::array::from_fn(|i| (low[i] / 2.0 + high[i] / 2.0).to_bits());
-    let places: HashSet<[u32; 3]> = boxes.iter().map(middle).collect();
-    places.len() > boxes.len() / 2
+    let middle =
+        |[low, high]: &Corners| -> [u32; 3] { std::array::from_fn(|i| (low[i] / 2.0 + high[i] / 2.0).to_bits()) };
+    let mut places = HashSet::with_capacity(boxes.len() / 2 + 1);
+    boxes
+        .iter()
+        .any(|corners| places.insert(middle(corners)) && places.len() > boxes.len() / 2)
 }
 
 /// The library's tree; nothing where it is so deep (many islands in one place) that the library's own later steps, which
@@ -104,7 +97,7 @@ fn clustered(boxes: &[Corners]) -> Option<Bvh2> {
         params.sort_precision,
         params.search_depth_threshold,
     );
-    if depth(&tree.nodes.iter().map(node).collect::<Vec<_>>()) > MAX_DEPTH {
+    if depth(children(&tree)) > MAX_DEPTH {
         return None;
     }
     ReinsertionOptimizer::default().run(&mut tree, params.reinsertion_batch_ratio, None);
@@ -121,19 +114,26 @@ fn node(node: &Bvh2Node) -> Node {
     }
 }
 
-fn depth(nodes: &[Node]) -> usize {
+/// How deep a tree is, given the first of a node's two children, or nothing for a leaf; stops a little beyond what the tracers'
+/// stacks hold.
+fn depth(first_child: impl Fn(u32) -> Option<u32>) -> usize {
     let mut deepest = 0;
     let mut open = vec![(0_u32, 1)];
     while let Some((index, level)) = open.pop() {
         deepest = deepest.max(level);
-        match nodes.get(index as usize) {
-            Some(node) if node.count == 0 && level <= MAX_DEPTH => {
-                open.extend([(node.first, level + 1), (node.first + 1, level + 1)]);
-            }
-            _ => {}
+        if let Some(first) = first_child(index).filter(|_| level <= MAX_DEPTH) {
+            open.extend([(first, level + 1), (first + 1, level + 1)]);
         }
     }
     deepest
+}
+
+/// For [`depth`], of a tree of the library.
+fn children(tree: &Bvh2) -> impl Fn(u32) -> Option<u32> {
+    |index| {
+        let node = &tree.nodes.get(index as usize)?;
+        (node.prim_count == 0).then_some(node.first_index)
+    }
 }
 
 /// A plain halving of the islands by their centres along the longest axis: as deep as the logarithm of their number
@@ -189,7 +189,8 @@ mod tests {
         let mut sorted = order.clone();
         sorted.sort_unstable();
         assert_eq!(sorted, (0..boxes.len() as u32).collect::<Vec<_>>());
-        assert!(depth(&nodes) <= MAX_DEPTH);
+        let first = |index: u32| (nodes[index as usize].count == 0).then_some(nodes[index as usize].first);
+        assert!(depth(first) <= MAX_DEPTH);
         let mut covered = 0;
         for node in nodes.iter().filter(|node| node.count > 0) {
             assert!(node.count as usize <= LEAF_ISLANDS || node.count < 256);

@@ -5,7 +5,9 @@
 //! gives the very same bits.
 
 use std::cmp::Ordering;
-use std::collections::{BinaryHeap, HashMap};
+use std::collections::BinaryHeap;
+
+use hashbrown::HashMap;
 
 use scenec_scene::DVec3;
 
@@ -151,8 +153,8 @@ impl<'a> Divider<'a> {
     fn part(&mut self, tokens: Vec<Token>, parts: &mut Parts) -> u32 {
         let next = self.parts.len() as u32;
         match self.known.entry(tokens) {
-            std::collections::hash_map::Entry::Occupied(known) => *known.get(),
-            std::collections::hash_map::Entry::Vacant(place) => {
+            hashbrown::hash_map::Entry::Occupied(known) => *known.get(),
+            hashbrown::hash_map::Entry::Vacant(place) => {
                 self.parts.push(parts.tree(place.key()));
                 *place.insert(next)
             }

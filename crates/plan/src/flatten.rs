@@ -1,8 +1,6 @@
 //! The normal form becomes what a tracer reads: islands with their parts and cells, and of leaves, surfaces and materials
 //! those that are left.
 
-use std::collections::HashMap;
-
 use scenec_scene::{DVec3, MaterialId};
 
 use crate::cells::{Divider, holder};
@@ -29,54 +27,61 @@ pub(crate) struct Flat {
     pub(crate) parts: Vec<Part>,
     pub(crate) cells: Vec<Cell>,
     pub(crate) nodes: Vec<Node>,
-    /// The islands before they are laid flat.
-    drafts: Vec<Draft>,
-}
-
-/// An island as a tree.
-#[derive(Clone, Debug)]
-struct Draft {
-    bounds: Box3,
-    tree: Tree,
-}
-
-/// Most islands are a leaf.
-#[derive(Clone, Debug)]
-enum Tree {
-    Leaf { leaf: u32, negative: bool },
-    Tokens(Vec<Token>),
+    /// The trees of those islands that are more than a leaf, by island.
+    trees: Vec<(usize, Vec<Token>)>,
 }
 
 /// Leaves out all leaves, surfaces and materials that no island is made of; world units.
-pub(crate) fn flatten(mut normal: Normal) -> Result<Flat, PlanError> {
-    let (sizes, used) = survey(&normal.terms, &normal.roots, normal.leaves.len());
-    let leaves = sizes.into_iter().max().unwrap_or_default();
-    if leaves > MAX_PROGRAM {
-        return Err(PlanError::ProgramTooLarge { leaves });
+pub(crate) fn flatten(normal: Normal) -> Result<Flat, PlanError> {
+    let Normal {
+        shapes,
+        mut leaves,
+        mut materials,
+        terms,
+        roots,
+    } = normal;
+    let (sizes, used) = survey(&terms, &roots, leaves.len());
+    let most = sizes.into_iter().max().unwrap_or_default();
+    if most > MAX_PROGRAM {
+        return Err(PlanError::ProgramTooLarge { leaves: most });
     }
-    let mut flat = Flat::default();
-    let numbers = flat.keep(&normal, &used);
-    let bounds: Vec<_> = normal.roots.iter().map(|root| normal.terms.bounds(*root)).collect();
-    for (root, bounds) in std::mem::take(&mut normal.roots).into_iter().zip(bounds) {
-        let tree = match root {
-            Term::Leaf { leaf, negative } => Tree::Leaf {
-                leaf: numbers[leaf as usize],
-                negative,
-            },
-            root => {
-                let mut tokens = Vec::new();
-                write_out(&normal.terms, root, &mut tokens);
-                for token in &mut tokens {
-                    if let Token::Leaf { leaf, .. } = token {
-                        *leaf = numbers[*leaf as usize];
-                    }
-                }
-                Tree::Tokens(tokens)
-            }
-        };
-        flat.drafts.push(Draft { bounds, tree });
+    let numbers = keep(&mut leaves, &used);
+    let mut shapes = shapes.list;
+    let named = |count: usize, of: fn(&Leaf) -> u32| {
+        let mut named = vec![false; count];
+        leaves.iter().for_each(|leaf| named[of(leaf) as usize] = true);
+        named
+    };
+    let named_shapes = named(shapes.len(), |leaf| leaf.shape);
+    let named_materials = named(materials.len(), |leaf| leaf.material);
+    let shape_numbers = keep(&mut shapes, &named_shapes);
+    let material_numbers = keep(&mut materials, &named_materials);
+    for leaf in &mut leaves {
+        leaf.shape = shape_numbers[leaf.shape as usize];
+        leaf.material = material_numbers[leaf.material as usize];
     }
+    let mut flat = Flat {
+        shapes,
+        leaves,
+        materials,
+        ..Flat::default()
+    };
+    flat.islands(&terms, &roots, &numbers);
     Ok(flat)
+}
+
+/// Leaves only what is used; returns the new numbers by the old ones.
+fn keep<T>(list: &mut Vec<T>, used: &[bool]) -> Vec<u32> {
+    let mut next = 0;
+    let numbers = used.iter().map(|used| {
+        next += u32::from(*used);
+        // What is not kept has no number.
+        if *used { next - 1 } else { u32::MAX }
+    });
+    let numbers = numbers.collect();
+    let mut used = used.iter();
+    list.retain(|_| used.next().copied().unwrap_or_default());
+    numbers
 }
 
 /// How many leaves each root has, every use counted, and which leaves they have.
@@ -103,37 +108,41 @@ fn survey(terms: &Terms, roots: &[Term], leaves: usize) -> (Vec<u64>, Vec<bool>)
 }
 
 impl Flat {
-    /// Takes over the used leaves with their surfaces and materials; returns the new numbers by the old ones.
-    fn keep(&mut self, normal: &Normal, used: &[bool]) -> Vec<u32> {
-        let (mut shapes, mut materials) = (HashMap::new(), HashMap::new());
-        let mut numbers = vec![u32::MAX; used.len()];
-        for (old, leaf) in normal.leaves.iter().enumerate().filter(|(old, _)| used[*old]) {
-            let shape = *shapes.entry(leaf.shape).or_insert_with(|| {
-                self.shapes.push(normal.shapes.list[leaf.shape as usize]);
-                self.shapes.len() as u32 - 1
-            });
-            let material = *materials.entry(leaf.material).or_insert_with(|| {
-                self.materials.push(normal.materials[leaf.material as usize]);
-                self.materials.len() as u32 - 1
-            });
-            numbers[old] = self.leaves.len() as u32;
-            self.leaves.push(Leaf {
-                shape,
-                material,
-                ..*leaf
+    /// Makes islands of the root's operands; a leaf goes by its new number.
+    fn islands(&mut self, terms: &Terms, roots: &[Term], numbers: &[u32]) {
+        let mut parts = Parts::default();
+        self.islands.reserve_exact(roots.len());
+        for root in roots {
+            let part = match *root {
+                Term::Leaf { leaf, negative } => parts.leaf(numbers[leaf as usize], negative),
+                root => {
+                    let mut tokens = Vec::new();
+                    write_out(terms, root, &mut tokens);
+                    for token in &mut tokens {
+                        if let Token::Leaf { leaf, .. } = token {
+                            *leaf = numbers[*leaf as usize];
+                        }
+                    }
+                    let part = parts.tree(&tokens);
+                    self.trees.push((self.islands.len(), tokens));
+                    part
+                }
+            };
+            self.islands.push(Island {
+                program: part.program,
+                members: part.members,
+                product: part.product,
+                cells: None,
+                bounds: terms.bounds(*root),
             });
         }
-        numbers
+        (self.program, self.members) = (parts.program, parts.members);
     }
 
     /// The smallest box around all bounded islands, world units; empty if there is none.
     pub(crate) fn finite_bounds(&self) -> Box3 {
-        let finite = self
-            .drafts
-            .iter()
-            .map(|island| island.bounds)
-            .filter(|bounds| bounds.is_finite());
-        finite.fold(Box3::EMPTY, Box3::hull)
+        let boxes = self.islands.iter().map(|island| island.bounds);
+        boxes.filter(|bounds| bounds.is_finite()).fold(Box3::EMPTY, Box3::hull)
     }
 
     /// The same in plan units.
@@ -141,14 +150,33 @@ impl Flat {
         for shape in &mut self.shapes {
             *shape = shape.relative(place.origin, place.scale);
         }
-        for island in &mut self.drafts {
+        for island in &mut self.islands {
             island.bounds = island.bounds.relative(place.origin, place.scale);
         }
         self
     }
 
-    /// Makes islands of the drafts; `eye` in plan units.
+    /// Divides islands that are large trees into cells; `eye` in plan units.
     pub(crate) fn divided(mut self, eye: DVec3) -> Result<Self, PlanError> {
+        let trees = std::mem::take(&mut self.trees);
+        if !trees.is_empty() {
+            self.divide(&trees, eye);
+        }
+        // The largest numbers that the indices and offsets of the packed form must hold.
+        let counted = [
+            (self.shapes.len(), "surfaces"),
+            (self.program.len(), "operators"),
+            (self.members.len(), "operands"),
+            (self.islands.len() + self.parts.len(), "objects"),
+            (self.cells.len(), "cells"),
+        ];
+        match counted.into_iter().find(|(count, _)| *count >= u32::MAX as usize) {
+            Some((_, what)) => Err(PlanError::TooMany(what)),
+            None => Ok(self),
+        }
+    }
+
+    fn divide(&mut self, trees: &[(usize, Vec<Token>)], eye: DVec3) {
         let boxes: Vec<_> = self
             .leaves
             .iter()
@@ -165,34 +193,15 @@ impl Flat {
             min: stage.min - 1.0,
             max: stage.max + 1.0,
         };
-        let mut parts = Parts::default();
+        let mut parts = Parts {
+            program: std::mem::take(&mut self.program),
+            members: std::mem::take(&mut self.members),
+        };
         let mut divider = Divider::new(Pruner::new(&self.shapes, &self.leaves), &boxes, stage);
-        for Draft { bounds, tree } in std::mem::take(&mut self.drafts) {
-            let (part, cells) = match tree {
-                Tree::Leaf { leaf, negative } => (parts.leaf(leaf, negative), None),
-                Tree::Tokens(tokens) => (parts.tree(&tokens), divider.divide(&tokens, &mut parts)),
-            };
-            self.islands.push(Island {
-                program: part.program,
-                members: part.members,
-                product: part.product,
-                cells,
-                bounds,
-            });
+        for (island, tokens) in trees {
+            self.islands[*island].cells = divider.divide(tokens, &mut parts);
         }
         (self.parts, self.cells) = (divider.parts, divider.cells);
         (self.program, self.members) = (parts.program, parts.members);
-        // The largest numbers that the indices and offsets of the packed form must hold.
-        let counted = [
-            (self.shapes.len(), "surfaces"),
-            (self.program.len(), "operators"),
-            (self.members.len(), "operands"),
-            (self.islands.len() + self.parts.len(), "objects"),
-            (self.cells.len(), "cells"),
-        ];
-        match counted.into_iter().find(|(count, _)| *count >= u32::MAX as usize) {
-            Some((_, what)) => Err(PlanError::TooMany(what)),
-            None => Ok(self),
-        }
     }
 }

@@ -10,7 +10,6 @@ mod cells;
 mod features;
 mod flatten;
 mod frame;
-mod node_facts;
 mod normal;
 mod packed;
 mod packed_parts;
@@ -19,11 +18,13 @@ mod postfix;
 mod precision;
 mod program;
 mod real;
+mod register;
 mod shapes;
 mod side;
 mod standpoint;
 mod summary;
 mod terms;
+mod uses;
 
 use std::fmt;
 
@@ -160,18 +161,19 @@ impl std::error::Error for PlanError {}
 /// # Errors
 /// [`PlanError`] for a scene beyond the stated limits.
 pub fn plan(scene: &Scene) -> Result<Plan, PlanError> {
-    let facts = node_facts::gather(scene);
-    let normal = normal::normalise(scene, &facts);
-    let why = normal.terms.why.clone();
+    let uses = uses::uses(scene);
+    let mut normal = normal::normalise(scene, &uses);
+    let why = std::mem::take(&mut normal.terms.why);
     let flat = flatten::flatten(normal)?;
     let place = frame::place(scene, &flat)?;
     let view = frame::view(scene, &place);
-    let flat = bvh::arrange(flat.relative(&place).divided(view.eye)?);
+    let flat = flat.relative(&place).divided(view.eye)?;
+    let flat = bvh::arrange(flat);
     let mut lights = frame::lamps(scene, &place);
     let touches = frame::touches(&mut lights, &flat.shapes);
     let materials: Vec<_> = flat.materials.iter().map(|id| *scene.material(*id)).collect();
     let kept = flat.leaves.iter().map(|leaf| leaf.solid);
-    let reached = |number: usize| facts.get(number).is_some_and(|facts| facts.leaves > 0);
+    let reached = |number: usize| uses.get(number).is_some_and(|uses| *uses > 0);
     let mut plan = Plan {
         dropped: summary::dropped(scene, kept, reached, |number| why.get(&(number as u32)).copied()),
         reach: frame::reach(scene, &materials, &lights),

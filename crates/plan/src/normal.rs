@@ -3,11 +3,10 @@
 //!
 //! Every walk keeps its own stack on the heap: a chain of a million unions is a legal file.
 
-use std::collections::{HashMap, HashSet};
+use hashbrown::{HashMap, HashSet};
 
-use scenec_scene::{MaterialId, Op, Scene, SolidId, SolidKind};
+use scenec_scene::{Base, MaterialId, Op, Scene, SolidId, SolidKind, Transform};
 
-use crate::node_facts::NodeFacts;
 use crate::shapes::Shapes;
 use crate::summary::Reason;
 use crate::terms::{Join, LeafFacts, Term, Terms};
@@ -74,17 +73,20 @@ fn step(scene: &Scene, here: Painted) -> Step {
 }
 
 /// The submitted solid in normal form, world units.
-pub(crate) fn normalise(scene: &Scene, facts: &[NodeFacts]) -> Normal {
+pub(crate) fn normalise(scene: &Scene, uses: &[u32]) -> Normal {
     let mut work = Work {
         scene,
-        facts,
+        uses,
         normal: Normal::default(),
         materials: HashMap::new(),
-        leaves: HashMap::new(),
+        leaves: Leaves {
+            own: vec![NONE; uses.len()],
+            painted: HashMap::new(),
+        },
         known: HashMap::new(),
     };
     let mut seen = HashSet::new();
-    let mut alone = HashSet::new();
+    let mut alone = Vec::new();
     let mut open = vec![Painted {
         id: scene.root,
         paint: None,
@@ -95,7 +97,7 @@ pub(crate) fn normalise(scene: &Scene, facts: &[NodeFacts]) -> Normal {
             Step::Inside(inside) => open.push(inside),
             Step::Leaf => work.lone_leaf(here, &mut alone),
             // A part that is there already adds nothing to a union.
-            Step::Both(..) if !seen.insert(here) => {}
+            Step::Both(..) if uses[here.id.index()] > 1 && !seen.insert(here) => {}
             Step::Both(Join::Union, left, right) => open.extend([right, left]),
             Step::Both(..) => work.tree(here),
         }
@@ -107,12 +109,45 @@ pub(crate) fn normalise(scene: &Scene, facts: &[NodeFacts]) -> Normal {
     work.normal
 }
 
+/// No leaf.
+const NONE: u32 = u32::MAX;
+
+/// The numbers of leaves: the solid and its paint make one. Few scenes have paint.
+struct Leaves {
+    /// Without paint, by solid.
+    own: Vec<u32>,
+    painted: HashMap<(SolidId, MaterialId), u32>,
+}
+
+impl Leaves {
+    fn get(&self, id: SolidId, paint: Option<MaterialId>) -> Option<u32> {
+        match paint {
+            None => Some(self.own[id.index()]).filter(|number| *number != NONE),
+            Some(paint) => self.painted.get(&(id, paint)).copied(),
+        }
+    }
+
+    fn insert(&mut self, id: SolidId, paint: Option<MaterialId>, number: u32) {
+        match paint {
+            None => self.own[id.index()] = number,
+            Some(paint) => {
+                self.painted.insert((id, paint), number);
+            }
+        }
+    }
+}
+
+/// A paint that changes something.
+fn paint(here: Painted, leaf: &scenec_scene::Leaf) -> Option<MaterialId> {
+    here.paint.filter(|paint| *paint != leaf.material)
+}
+
 struct Work<'a> {
     scene: &'a Scene,
-    facts: &'a [NodeFacts],
+    uses: &'a [u32],
     normal: Normal,
     materials: HashMap<MaterialId, u32>,
-    leaves: HashMap<(SolidId, MaterialId), u32>,
+    leaves: Leaves,
     known: HashMap<Painted, Term>,
 }
 
@@ -122,18 +157,17 @@ impl Work<'_> {
         let SolidKind::Leaf(leaf) = &self.scene.solid(here.id).kind else {
             return None;
         };
-        let named = here.paint.unwrap_or(leaf.material);
-        match self.leaves.get(&(here.id, named)) {
-            Some(known) => Some(*known),
-            None => {
-                let shape = self.normal.shapes.intern(leaf.base, &self.scene.transform(leaf));
-                Some(self.add(here.id, named, shape))
-            }
+        if let Some(known) = self.leaves.get(here.id, paint(here, leaf)) {
+            return Some(known);
         }
+        let transform = self.scene.transform(leaf);
+        let shape = self.normal.shapes.intern(leaf.base, &transform);
+        Some(self.add(here, leaf, &transform, shape))
     }
 
     /// Takes up a leaf that is not there yet.
-    fn add(&mut self, id: SolidId, named: MaterialId, shape: u32) -> u32 {
+    fn add(&mut self, here: Painted, leaf: &scenec_scene::Leaf, transform: &Transform, shape: u32) -> u32 {
+        let named = here.paint.unwrap_or(leaf.material);
         let Normal {
             materials,
             leaves,
@@ -144,38 +178,40 @@ impl Work<'_> {
             materials.push(named);
             materials.len() as u32 - 1
         });
-        let complement = match &self.scene.solid(id).kind {
-            SolidKind::Leaf(leaf) => Box3::of_complement(leaf.base, &self.scene.transform(leaf)),
-            _ => Box3::ALL,
-        };
-        let solid = id.0;
+        let solid = here.id.0;
         let number = leaves.len() as u32;
+        if leaf.base == Base::HalfSpace {
+            terms
+                .complements
+                .insert(number, Box3::of_complement(leaf.base, transform));
+        }
         leaves.push(Leaf { shape, material, solid });
         terms.leaves.push(LeafFacts {
             shape,
             solid,
-            bounds: [self.facts[id.index()].bounds, complement],
+            bounds: Box3::of_leaf(leaf.base, transform),
         });
-        self.leaves.insert((id, named), number);
+        self.leaves.insert(here.id, paint(here, leaf), number);
         number
     }
 
     /// A leaf of the root's unions. A second one with the same surface can't be seen: the left one owns it.
-    fn lone_leaf(&mut self, here: Painted, alone: &mut HashSet<u32>) {
+    fn lone_leaf(&mut self, here: Painted, alone: &mut Vec<bool>) {
         let SolidKind::Leaf(leaf) = &self.scene.solid(here.id).kind else {
             return;
         };
-        let named = here.paint.unwrap_or(leaf.material);
-        let known = self.leaves.get(&(here.id, named)).copied();
+        let known = self.leaves.get(here.id, paint(here, leaf));
+        let transform = self.scene.transform(leaf);
         let shape = match known {
             Some(known) => self.normal.leaves[known as usize].shape,
-            None => self.normal.shapes.intern(leaf.base, &self.scene.transform(leaf)),
+            None => self.normal.shapes.intern(leaf.base, &transform),
         };
-        if !alone.insert(shape) {
+        alone.resize(self.normal.shapes.list.len(), false);
+        if std::mem::replace(&mut alone[shape as usize], true) {
             self.normal.terms.why.entry(here.id.0).or_insert(Reason::Twin);
             return;
         }
-        let leaf = known.unwrap_or_else(|| self.add(here.id, named, shape));
+        let leaf = known.unwrap_or_else(|| self.add(here, leaf, &transform, shape));
         let negative = here.negative;
         self.normal.roots.push(Term::Leaf { leaf, negative });
     }
@@ -236,9 +272,7 @@ impl Work<'_> {
         while let Some(here) = open.pop() {
             match step(self.scene, here) {
                 Step::Inside(inside) => open.push(inside),
-                Step::Both(inner, left, right)
-                    if inner == join && (here == top || self.facts[here.id.index()].uses <= 1) =>
-                {
+                Step::Both(inner, left, right) if inner == join && (here == top || self.uses[here.id.index()] <= 1) => {
                     open.extend([right, left]);
                 }
                 _ => operands.push(here),

@@ -1,6 +1,6 @@
 //! Trees as parts: a program over members, or a product that needs none.
 
-use std::collections::HashMap;
+use hashbrown::HashMap;
 
 use crate::Part;
 use crate::postfix::Token;

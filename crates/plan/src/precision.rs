@@ -1,9 +1,9 @@
 //! Whether single precision can tell what a plan describes, found out before anything is traced.
 
-use std::collections::HashMap;
 use std::fmt;
 
 use crate::Plan;
+use crate::register::Register;
 use crate::shapes::{Shape, ShapeKind};
 
 /// Why single precision does not suffice for a plan.
@@ -51,6 +51,9 @@ const NEAR: f64 = (1 << 18) as f64;
 /// The largest number that single precision may meet in a shape: an intersection multiplies up to two of them.
 const LARGEST: f64 = (1_u64 << 60) as f64;
 
+/// From so many leaves on, starting threads costs less than they save.
+const MANY: usize = 1 << 13;
+
 /// Half the distance from 1 to the next single.
 const UNIT: f64 = 1.0 / (1 << 24) as f64;
 
@@ -63,17 +66,17 @@ impl Plan {
         if !self.shapes.iter().all(in_range) {
             return Some(BeyondSingle::OutOfRange);
         }
-        let displaced = |leaf: &crate::Leaf| {
+        self.far_displaced().or_else(|| self.nearly_coincident())
+    }
+
+    fn far_displaced(&self) -> Option<BeyondSingle> {
+        self.leaves.iter().find_map(|leaf| {
             let pixels = self.displacement(&self.shapes[leaf.shape as usize], UNIT);
             (pixels > TOLERANCE).then_some(BeyondSingle::Displaced {
                 pixels,
                 solid: leaf.solid,
             })
-        };
-        self.leaves
-            .iter()
-            .find_map(displaced)
-            .or_else(|| self.nearly_coincident())
+        })
     }
 
     /// How many pixels beside its place any surface may appear to the eye, with this unit roundoff; at most 1, for that is
@@ -105,18 +108,30 @@ impl Plan {
     /// The first two surfaces that are not the same, and yet nearly.
     fn nearly_coincident(&self) -> Option<BeyondSingle> {
         // On each of two grids, half a step apart: numbers that differ by less than half a step share a cell of one.
-        [0.0, 0.5].into_iter().find_map(|shift| {
-            let mut cells: HashMap<_, (u32, u32)> = HashMap::with_capacity(self.leaves.len());
-            self.leaves.iter().find_map(|leaf| {
-                let shape = &self.shapes[leaf.shape as usize];
-                let (class, solid) = *cells
-                    .entry(shape.cell(NEAR, shift))
-                    .or_insert((shape.class, leaf.solid));
-                (class != shape.class).then_some(BeyondSingle::NearlyCoincident {
-                    solids: (solid, leaf.solid),
-                })
+        let crowded = |shift: f64| {
+            let mut cells = Register::default();
+            let cell = |leaf: u32| self.shape_of(leaf).cell(NEAR, shift);
+            (0..self.leaves.len() as u32).find_map(|leaf| {
+                let key = cell(leaf);
+                let Some(first) = cells.find(&key, cell) else {
+                    cells.file(&key, leaf);
+                    return None;
+                };
+                let solids = [first, leaf].map(|leaf| self.leaves[leaf as usize].solid);
+                (self.shape_of(first).class != self.shape_of(leaf).class)
+                    .then_some(BeyondSingle::NearlyCoincident { solids: solids.into() })
             })
-        })
+        };
+        let (first, second) = if self.leaves.len() > MANY {
+            rayon::join(|| crowded(0.0), || crowded(0.5))
+        } else {
+            (crowded(0.0), crowded(0.5))
+        };
+        first.or(second)
+    }
+
+    fn shape_of(&self, leaf: u32) -> &Shape {
+        &self.shapes[self.leaves[leaf as usize].shape as usize]
     }
 }
 

@@ -4,9 +4,9 @@
 //! numbers. A tracer then computes the very same distances for them, so that coincident surfaces cancel exactly and a ray
 //! that starts on one of them starts on all.
 
-use std::collections::HashMap;
-
 use scenec_scene::{Base, DMat3, DVec3, Transform};
+
+use crate::register::Register;
 
 /// What a surface is.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -119,7 +119,7 @@ pub(crate) struct Shapes {
     pub(crate) list: Vec<Shape>,
     /// Of each, whether it is the half-space on the other side of the plane that its class is named after.
     pub(crate) turned: Vec<bool>,
-    by_key: HashMap<Key, u32>,
+    known: Register,
     classes: u32,
 }
 
@@ -149,8 +149,9 @@ impl Grid {
     };
 
     fn step(self, value: f64, size: f64) -> i64 {
-        // At most about 2^42 in size, so the cast is exact.
-        (value / size * self.steps + self.shift).round() as i64
+        // At most about 2^42 in size, so this addition rounds to a whole number, and the bits tell which.
+        const ROUND: f64 = 1.5 * (1_u64 << 52) as f64;
+        (value / size * self.steps + self.shift + ROUND).to_bits() as i64
     }
 }
 
@@ -159,19 +160,19 @@ impl Shapes {
     pub(crate) fn intern(&mut self, base: Base, transform: &Transform) -> u32 {
         let shape = canonical(base, transform);
         let key = key(&shape, Grid::SAME);
-        if let Some(known) = self.by_key.get(&key) {
-            return *known;
+        if let Some(known) = self.find(&key) {
+            return known;
         }
-        let twin = Key {
-            turned: !key.turned,
-            ..key
-        };
-        let (shape, turned) = match self.by_key.get(&twin).map(|twin| self.list[*twin as usize]) {
-            Some(twin) if shape.kind == ShapeKind::HalfSpace => {
+        let twin = (shape.kind == ShapeKind::HalfSpace).then(|| {
+            let turned = !key.turned;
+            self.find(&Key { turned, ..key })
+        });
+        let (shape, turned) = match twin.flatten().map(|twin| self.list[twin as usize]) {
+            Some(twin) => {
                 let inverse = twin.inverse * -1.0;
                 (Shape { inverse, ..twin }, true)
             }
-            _ => {
+            None => {
                 self.classes += 1;
                 let class = self.classes - 1;
                 (Shape { class, ..shape }, false)
@@ -180,8 +181,15 @@ impl Shapes {
         let number = self.list.len() as u32;
         self.list.push(shape);
         self.turned.push(turned);
-        self.by_key.insert(key, number);
+        self.known.file(&key, number);
         number
+    }
+
+    /// The number of the shape with a key. A half-space that took the numbers of one on the other side of its plane has
+    /// the key that those numbers give.
+    fn find(&self, key: &Key) -> Option<u32> {
+        self.known
+            .find(key, |number| self::key(&self.list[number as usize], Grid::SAME))
     }
 }
 
@@ -218,6 +226,11 @@ fn canonical(base: Base, transform: &Transform) -> Shape {
 
 /// The radius of the unit ball's image, if that is a ball to within 2^-40.
 fn radius(linear: &DMat3) -> Option<f64> {
+    // A plain scale keeps its radius to the last bit.
+    let plain = linear.x_axis.x.abs();
+    if *linear == DMat3::from_diagonal(linear.diagonal()) && linear.diagonal().abs() == DVec3::splat(plain) {
+        return Some(plain);
+    }
     let largest = linear
         .to_cols_array()
         .into_iter()
@@ -229,10 +242,7 @@ fn radius(linear: &DMat3) -> Option<f64> {
     let rest = gram - DMat3::from_diagonal(DVec3::splat(square));
     let tolerance = square * (-40.0_f64).exp2();
     let round = rest.to_cols_array().into_iter().all(|x| x.abs() <= tolerance);
-    // A plain scale keeps its radius to the last bit.
-    let plain = linear.x_axis.x.abs();
-    let exact = *linear == DMat3::from_diagonal(linear.diagonal()) && linear.diagonal().abs() == DVec3::splat(plain);
-    round.then(|| if exact { plain } else { square.sqrt() * largest })
+    round.then(|| square.sqrt() * largest)
 }
 
 fn key(shape: &Shape, grid_of: Grid) -> Key {
@@ -316,15 +326,16 @@ fn key(shape: &Shape, grid_of: Grid) -> Key {
 /// a person writes lies.
 fn grid(size: f64) -> f64 {
     if size == 0.0 {
-        1.0
-    } else {
-        (size.abs() * std::f64::consts::SQRT_2).log2().floor().exp2()
+        return 1.0;
     }
+    // The exponent alone is the power of two below; the smallest numbers have none of their own.
+    let power = (size.abs() * std::f64::consts::SQRT_2).to_bits() & f64::INFINITY.to_bits();
+    f64::from_bits(power).max(f64::MIN_POSITIVE)
 }
 
 /// Which power of two a grid is: without it, a shape and another one twice as large and twice as far would be one.
-fn power(grid: f64) -> i64 {
-    grid.log2() as i64
+const fn power(grid: f64) -> i64 {
+    (grid.to_bits() >> 52) as i64
 }
 
 fn unit(v: DVec3) -> DVec3 {

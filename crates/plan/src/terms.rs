@@ -4,7 +4,7 @@
 //! what boxes prove. An operand is left out only where no ray could see the difference: of two that are the same the left one
 //! stays, since it owns the surface; what is left out for its place keeps a distance from all surfaces that show.
 
-use std::collections::{HashMap, HashSet};
+use hashbrown::{HashMap, HashSet};
 
 use crate::shapes::Shapes;
 use crate::side::{Side, side};
@@ -66,8 +66,8 @@ struct Node {
 pub(crate) struct LeafFacts {
     pub(crate) shape: u32,
     pub(crate) solid: u32,
-    /// What holds the leaf, and what holds its complement.
-    pub(crate) bounds: [Box3; 2],
+    /// What holds the leaf.
+    pub(crate) bounds: Box3,
 }
 
 /// An operand's points as a number: equal for equal sets that are seen to be equal, and the complement's is one bit away.
@@ -93,6 +93,8 @@ pub(crate) struct Terms {
     sets: HashMap<Box<[u64]>, u64>,
     /// What the leaf terms name.
     pub(crate) leaves: Vec<LeafFacts>,
+    /// What holds the complement of a leaf, where anything but all space does.
+    pub(crate) complements: HashMap<u32, Box3>,
     /// Why a solid was left out somewhere, by its number.
     pub(crate) why: HashMap<u32, Reason>,
     blamed: HashSet<u32>,
@@ -125,7 +127,8 @@ impl Terms {
         match term {
             Term::Nothing => Box3::EMPTY,
             Term::All => Box3::ALL,
-            Term::Leaf { leaf, negative } => self.leaves[leaf as usize].bounds[usize::from(negative)],
+            Term::Leaf { leaf, negative: false } => self.leaves[leaf as usize].bounds,
+            Term::Leaf { leaf, .. } => self.complements.get(&leaf).copied().unwrap_or(Box3::ALL),
             Term::Node(node) => self.nodes[node as usize].bounds,
         }
     }
@@ -386,7 +389,7 @@ impl Terms {
         while at < kept.len() {
             let inner = match (join, kept[at]) {
                 (Join::Union, term) => self.bounds(term),
-                (Join::Intersection, Term::Leaf { leaf, negative: true }) => self.leaves[leaf as usize].bounds[0],
+                (Join::Intersection, Term::Leaf { leaf, negative: true }) => self.leaves[leaf as usize].bounds,
                 _ => Box3::ALL,
             };
             let swallows = |outer: &Term| match *outer {
