@@ -10,6 +10,10 @@ typedef struct {
 typedef struct {
     uint rays;
     real dropped;
+#if SPREAD
+    /* What may still be dropped for being faint. */
+    real spare;
+#endif
     bool over;
     uint shadow, reflected, refracted;
 } Spent;
@@ -31,7 +35,14 @@ bool spawn(const Scene *scene, const Branch *parent, Ray ray, real share, Spent 
     branch->weight = parent->weight * share;
     branch->bounces = parent->bounces - 1;
     real most = fabs(branch->weight) * scene->reach[branch->bounces];
-    if (most < scene->frame->cutoff) {
+#if SPREAD
+    bool faint = most < scene->frame->cutoff && most <= spent->spare;
+    if (faint)
+        spent->spare -= most;
+#else
+    bool faint = most < scene->frame->cutoff;
+#endif
+    if (faint) {
         spent->dropped += most;
         return false;
     }

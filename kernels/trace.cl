@@ -24,18 +24,17 @@ Ray camera_ray(__global const Frame *frame, uint column, uint row, real right, r
     return ray;
 }
 
-/* Traces a tile of the window, row by row in `outcomes`: the samples from `first` up to, not including, `end` of its pixels.
-   What the samples before them came to is in `outcomes`; after the last ones the means are. */
-__kernel void trace(__global const Frame *frame, __global const Shape *shapes, __global const Leaf *leaves,
-                    __global const Island *islands, __global const Cell *cells, __global const uint *program,
-                    __global const uint *members, __global const Node *nodes, __global const Material *materials, __global const Light *lights,
-                    __global const Touch *touches, __global const real *samples, __global const real *reach, __global Outcome *outcomes,
-                    uint tile_column, uint tile_row, uint columns, uint rows, uint first, uint end) {
-    if (get_global_id(0) >= columns || get_global_id(1) >= rows)
-        return;
-    __global Outcome *outcome = outcomes + get_global_id(1) * columns + get_global_id(0);
-    uint column = frame->window_x + tile_column + get_global_id(0);
-    uint row = frame->window_y + tile_row + get_global_id(1);
+/* What every entry point is given of the scene, in the order in which the host gives it. */
+#define SCENE_PARAMETERS                                                                                               \
+    __global const Frame *frame, __global const Shape *shapes, __global const Leaf *leaves,                            \
+        __global const Island *islands, __global const Cell *cells, __global const uint *program,                      \
+        __global const uint *members, __global const Node *nodes, __global const Material *materials,                  \
+        __global const Light *lights, __global const Touch *touches, __global const real *samples,                     \
+        __global const real *reach
+#define SCENE_ARGUMENTS                                                                                                \
+    frame, shapes, leaves, islands, cells, program, members, nodes, materials, lights, touches, samples, reach
+
+Scene scene_of(SCENE_PARAMETERS) {
     Scene scene;
     scene.frame = frame;
     scene.shapes = shapes;
@@ -52,26 +51,67 @@ __kernel void trace(__global const Frame *frame, __global const Shape *shapes, _
 #endif
     scene.samples = samples;
     scene.reach = reach;
+    return scene;
+}
 
+/* Nothing yet. */
+Spent nothing_spent() {
     Spent spent;
     spent.rays = 0;
     spent.dropped = 0;
+#if SPREAD
+    spent.spare = (real)INFINITY;
+#endif
     spent.over = false;
     spent.shadow = spent.reflected = spent.refracted = 0;
+    return spent;
+}
+
+/* What earlier samples took. */
+Spent spent_by(__global const Outcome *outcome) {
+    Spent spent = nothing_spent();
+    spent.dropped = outcome->dropped;
+    spent.shadow = outcome->shadow;
+    spent.reflected = outcome->reflected;
+    spent.refracted = outcome->refracted;
+    spent.over = outcome->over;
+    spent.rays = outcome->primary + spent.reflected + spent.refracted;
+    return spent;
+}
+
+void keep(__global Outcome *outcome, const Spent *spent) {
+    outcome->dropped = spent->dropped;
+    outcome->primary = spent->rays - spent->reflected - spent->refracted;
+    outcome->shadow = spent->shadow;
+    outcome->reflected = spent->reflected;
+    outcome->refracted = spent->refracted;
+    outcome->over = spent->over;
+}
+
+/* Traces a tile of the window, row by row in `outcomes`: the samples from `first` up to, not including, `end` of its pixels.
+   What the samples before them came to is in `outcomes`; after the last ones the means are. */
+__kernel void trace(SCENE_PARAMETERS, __global Outcome *outcomes, __global Sampled *sums, uint tile_column,
+                    uint tile_row, uint columns, uint rows, uint first, uint end) {
+    if (get_global_id(0) >= columns || get_global_id(1) >= rows)
+        return;
+    uint place = get_global_id(1) * columns + get_global_id(0);
+    __global Outcome *outcome = outcomes + place;
+    uint column = frame->window_x + tile_column + get_global_id(0);
+    uint row = frame->window_y + tile_row + get_global_id(1);
+    Scene scene = scene_of(SCENE_ARGUMENTS);
+    Spent spent = nothing_spent();
     Vector sum = vector(0, 0, 0);
-    uint solid = NOTHING, primary = 0;
+    uint solid = NOTHING;
 #if SUPERSAMPLING
     if (first > 0) {
+        spent = spent_by(outcome);
         sum = load(outcome->colour);
-        spent.dropped = outcome->dropped;
         solid = outcome->solid;
-        primary = outcome->primary;
-        spent.shadow = outcome->shadow;
-        spent.reflected = outcome->reflected;
-        spent.refracted = outcome->refracted;
-        spent.over = outcome->over;
-        spent.rays = primary + spent.reflected + spent.refracted;
     }
+#endif
+#if SPREAD
+    if (first == 0)
+        begin(sums + place);
 #endif
     for (uint k = first; k < end; ++k) {
         if (spent.rays >= frame->ray_budget) {
@@ -80,10 +120,13 @@ __kernel void trace(__global const Frame *frame, __global const Shape *shapes, _
             continue;
         }
         spent.rays += 1;
-        primary += 1;
         Hit hit;
         Ray ray = camera_ray(frame, column, row, samples[2 * k], samples[2 * k + 1]);
-        sum = add(sum, walk(&scene, ray, &spent, &hit));
+        Vector colour = walk(&scene, ray, &spent, &hit);
+        sum = add(sum, colour);
+#if SPREAD
+        take(sums + place, colour, 0);
+#endif
         if (k == 0) {
             solid = hit.leaf == NOTHING ? NOTHING : leaves[hit.leaf].solid;
 #if DISTANCES
@@ -101,11 +144,34 @@ __kernel void trace(__global const Frame *frame, __global const Shape *shapes, _
     outcome->colour[0] = sum.x;
     outcome->colour[1] = sum.y;
     outcome->colour[2] = sum.z;
-    outcome->dropped = spent.dropped;
     outcome->solid = solid;
-    outcome->primary = primary;
-    outcome->shadow = spent.shadow;
-    outcome->reflected = spent.reflected;
-    outcome->refracted = spent.refracted;
-    outcome->over = spent.over;
+    keep(outcome, &spent);
 }
+
+#if SPREAD
+/* Goes on with some pixels, which are numbered row by row within the window: their samples from `first` up to, not including,
+   `end`, until the rays of a pixel run out. The items are laid out in rows of `width`, of which a tile is run. */
+__kernel void refine(SCENE_PARAMETERS, __global Outcome *outcomes, __global Sampled *sums, __global const uint *pixels,
+                     uint count, uint width, uint tile_column, uint tile_row, uint columns, uint rows, uint first,
+                     uint end) {
+    uint item = (tile_row + get_global_id(1)) * width + tile_column + get_global_id(0);
+    if (get_global_id(0) >= columns || get_global_id(1) >= rows || item >= count)
+        return;
+    uint column = frame->window_x + pixels[item] % frame->window_width;
+    uint row = frame->window_y + pixels[item] / frame->window_width;
+    Scene scene = scene_of(SCENE_ARGUMENTS);
+    if (first == 0)
+        begin(sums + item);
+    Spent spent = first == 0 ? nothing_spent() : spent_by(outcomes + item);
+    for (uint k = first; k < end && spent.rays < frame->ray_budget; ++k) {
+        spent.rays += 1;
+        spent.dropped = 0;
+        spent.spare = frame->spare;
+        Hit hit;
+        Ray ray = camera_ray(frame, column, row, samples[2 * k], samples[2 * k + 1]);
+        Vector colour = walk(&scene, ray, &spent, &hit);
+        take(sums + item, colour, spent.dropped);
+    }
+    keep(outcomes + item, &spent);
+}
+#endif

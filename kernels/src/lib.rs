@@ -27,5 +27,6 @@ pub const TRACER: &[Piece] = pieces![
     "hierarchy.cl",
     "shade.cl",
     "path.cl",
+    "sampled.cl",
     "trace.cl"
 ];

@@ -31,13 +31,14 @@ fn features(bits: u32) -> Features {
         inside: on(10),
         supersampling: on(11),
         distances: on(16),
+        spread: on(17),
         waiting: if on(9) { 4 } else { 1 },
         members: if on(12) { 16 } else { 0 },
     }
 }
 
 /// Switches in the table above.
-const SWITCHES: u32 = 17;
+const SWITCHES: u32 = 18;
 
 /// Sets of switches in which every two of them take all four states together; so does each alone.
 fn covering_sets() -> Vec<u32> {
@@ -50,8 +51,9 @@ fn covering_sets() -> Vec<u32> {
     let covers = |set: u32, &(a, x, b, y): &(u32, u32, u32, u32)| set >> a & 1 == x && set >> b & 1 == y;
     let mut sets = Vec::new();
     while !open.is_empty() {
-        // 2^17 sets are few enough to look for the best one each time.
-        let best = (0..1 << SWITCHES).max_by_key(|set| open.iter().filter(|pair| covers(*set, pair)).count());
+        // Some thousand sets that have nothing to do with each other are as good as all.
+        let some = (0..1_u32 << 12).map(|k| k.wrapping_mul(0x9E37_79B1) >> (32 - SWITCHES));
+        let best = some.max_by_key(|set| open.iter().filter(|pair| covers(*set, pair)).count());
         let best = best.unwrap();
         open.retain(|pair| !covers(best, pair));
         sets.push(best);
@@ -101,6 +103,7 @@ fn with(own: Features, set: Features) -> Features {
         inside: own.inside || set.inside,
         supersampling: own.supersampling || set.supersampling,
         distances: own.distances || set.distances,
+        spread: own.spread || set.spread,
         waiting: own.waiting.max(set.waiting),
         // Without room, members are computed anew, which serves any plan.
         members: if set.members == 0 {

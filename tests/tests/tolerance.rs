@@ -3,28 +3,23 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at once")]
 
 use scenec_device::Precision;
-use scenec_measure::{Achieved, Effort, Tolerance};
+use scenec_measure::{Achieved, Effort, Sampler, Tolerance};
 use scenec_picture::{Exact, Layers, Limits, Request, Tracer, Watch, Window};
 use scenec_reference::Reference;
 use scenec_scene::Scene;
-use scenec_tests::{gallery, random_scene, scene};
-
-fn wish<'a>(scene: &'a Scene, tolerance: f64, watch: &'a Watch) -> Tolerance<'a> {
-    Tolerance {
-        scene,
-        window: Window::whole(scene.settings.width, scene.settings.height),
-        tolerance,
-        most_samples: Tolerance::MOST_SAMPLES,
-        ray_budget: Tolerance::RAY_BUDGET,
-        precision: None,
-        threads: 0,
-        watch,
-    }
-}
+use scenec_tests::{device, gallery, random_scene, scene};
 
 fn achieved(scene: &Scene, tolerance: f64) -> Achieved {
+    achieved_by(Sampler::Cpu, scene, tolerance)
+}
+
+fn achieved_by(sampler: Sampler<'_>, scene: &Scene, tolerance: f64) -> Achieved {
     let watch = Watch::new();
-    let achieved = wish(scene, tolerance, &watch).achieve().unwrap();
+    let wish = Tolerance {
+        sampler,
+        ..Tolerance::of(scene, tolerance, &watch)
+    };
+    let achieved = wish.achieve().unwrap();
     assert_eq!(watch.done(), achieved.doubts.len() as u64);
     achieved
 }
@@ -51,21 +46,29 @@ fn differences<'a>(a: &'a [[f64; 3]], b: &'a [[f64; 3]]) -> impl Iterator<Item =
     a.iter().zip(b).map(worst)
 }
 
-/// Every pixel is within the tolerance by its bound, and within its bound by a reference of many samples, whose own error
-/// is what the second half of them changed.
+/// By every tracer, each pixel is within the tolerance by its bound, and within its bound by a reference of many samples, whose
+/// own error is what the second half of them changed.
 fn check(name: &str, scene: &Scene, tolerance: f64, samples: u32) {
-    let found = achieved(scene, tolerance);
-    assert_eq!(found.missed, 0, "{name}: {:?}", found.bound);
-    assert!(found.bound.max <= tolerance, "{name}: {:?}", found.bound);
     let (truth, half) = (exact(scene, samples), exact(scene, samples / 2));
     let own = differences(&truth, &half).fold(0.0, f64::max);
+    for sampler in [Sampler::Cpu].into_iter().chain(device().map(Sampler::OpenCl)) {
+        let found = achieved_by(sampler, scene, tolerance);
+        let name = format!("{name} by {}", found.name);
+        assert_eq!(found.missed, 0, "{name}: {:?}", found.bound);
+        assert!(found.bound.max <= tolerance, "{name}: {:?}", found.bound);
+        holds(&name, &found, &truth, own);
+    }
+}
+
+/// Every pixel is within its bound by a reference with an error of its own.
+fn holds(name: &str, found: &Achieved, truth: &Exact, own: f64) {
     let pixels: Vec<_> = found
         .picture
         .pixels()
         .iter()
         .map(|pixel| pixel.map(f64::from))
         .collect();
-    for (index, (error, doubt)) in differences(&pixels, &truth).zip(&found.doubts).enumerate() {
+    for (index, (error, doubt)) in differences(&pixels, truth).zip(&found.doubts).enumerate() {
         let taken = found.samples[index];
         assert!(
             error <= doubt.bound() + own,
@@ -122,7 +125,7 @@ fn what_cannot_be_kept_is_announced() {
     let gain = stage(1.0, 30);
     let poor = Tolerance {
         ray_budget: 1000,
-        ..wish(&gain, 1.0 / 64.0, &watch)
+        ..Tolerance::of(&gain, 1.0 / 64.0, &watch)
     };
     let found = poor.achieve().unwrap();
     assert!(found.missed > 0 && found.stats.over_budget > 0, "{:?}", found.bound);
@@ -131,7 +134,7 @@ fn what_cannot_be_kept_is_announced() {
     let plain = stage(0.4, 4);
     let few = Tolerance {
         most_samples: 64,
-        ..wish(&plain, 1.0 / 255.0, &watch)
+        ..Tolerance::of(&plain, 1.0 / 255.0, &watch)
     };
     let found = few.achieve().unwrap();
     assert!(found.missed > 0 && found.bound.max > 1.0 / 255.0, "{:?}", found.bound);
@@ -140,7 +143,7 @@ fn what_cannot_be_kept_is_announced() {
     let coarse = Tolerance {
         precision: Some(Precision::F32),
         most_samples: 64,
-        ..wish(&plain, 1e-6, &watch)
+        ..Tolerance::of(&plain, 1e-6, &watch)
     };
     let found = coarse.achieve().unwrap();
     assert!(found.missed > 0 && found.bound.rounding > 1e-6, "{:?}", found.bound);
@@ -153,7 +156,7 @@ fn doubles_are_taken_where_singles_would_eat_up_the_tolerance() {
     let watch = Watch::new();
     let fine = Tolerance {
         most_samples: 16,
-        ..wish(&scene, 1e-5, &watch)
+        ..Tolerance::of(&scene, 1e-5, &watch)
     };
     assert!(fine.achieve().unwrap().name.contains("f64"));
 }
@@ -169,6 +172,39 @@ fn faint_branches_are_dropped_as_far_as_the_tolerance_allows() {
 }
 
 #[test]
+fn every_tracer_takes_the_same_samples() {
+    let scene = stage(0.4, 4);
+    let in_doubles = |sampler| {
+        let watch = Watch::new();
+        let wish = Tolerance {
+            sampler,
+            precision: Some(Precision::F64),
+            ..Tolerance::of(&scene, 1.0 / 32.0, &watch)
+        };
+        wish.achieve().unwrap()
+    };
+    let expect = in_doubles(Sampler::Cpu);
+    let others = [Sampler::Reference].into_iter();
+    for sampler in others.chain(device().filter(|info| info.has_f64).map(Sampler::OpenCl)) {
+        let found = in_doubles(sampler);
+        let pixels = found.picture.pixels().iter().zip(expect.picture.pixels());
+        for (index, (a, b)) in pixels.enumerate() {
+            // The slow tracer drops nothing, so that now and then a pixel of it is done earlier.
+            let (taken, most) = (found.samples[index], expect.samples[index]);
+            let same = sampler != Sampler::Reference;
+            assert!(
+                taken == most || !same && taken < most,
+                "{}, {index}: {taken} {most}",
+                found.name
+            );
+            let allowed = if same { 1e-6 } else { 1.0 / 32.0 };
+            let apart = (0..3).map(|c| (a[c] - b[c]).abs()).fold(0.0, f32::max);
+            assert!(apart <= allowed, "{}, {index}: {a:?} {b:?}", found.name);
+        }
+    }
+}
+
+#[test]
 fn a_part_of_the_picture_is_that_part_of_the_whole() {
     let scene = stage(0.4, 4);
     let whole = achieved(&scene, 1.0 / 32.0);
@@ -181,7 +217,7 @@ fn a_part_of_the_picture_is_that_part_of_the_whole() {
     };
     let part = Tolerance {
         window,
-        ..wish(&scene, 1.0 / 32.0, &watch)
+        ..Tolerance::of(&scene, 1.0 / 32.0, &watch)
     };
     let part = part.achieve().unwrap();
     for (index, pixel) in part.picture.pixels().iter().enumerate() {
@@ -225,5 +261,5 @@ fn somebody_may_say_stop() {
     let scene = stage(0.4, 4);
     let watch = Watch::new();
     watch.stop();
-    assert!(wish(&scene, 1.0 / 255.0, &watch).achieve().is_err());
+    assert!(Tolerance::of(&scene, 1.0 / 255.0, &watch).achieve().is_err());
 }

@@ -1,12 +1,11 @@
 //! One binary, fast everywhere: the tracer is compiled several times, and the copy that this processor runs best is taken.
 
 use fearless_simd::{Level, Simd};
-use scenec_picture::Stats;
+use scenec_picture::{Refined, Stats, Task};
 
 use crate::bands::Tile;
 use crate::lanes::Lanes;
 use crate::pixel::{self, Pixel};
-use crate::refine::{Refined, Task};
 use crate::stage::{Prepared, Stage};
 
 /// Runs something that is written over a stage with the widest vectors that there are. Where a processor has no fused

@@ -13,7 +13,6 @@ mod path;
 mod pixel;
 mod ray;
 mod refine;
-mod sampled;
 mod shade;
 mod shape;
 mod stage;
@@ -30,8 +29,6 @@ use bands::{Band, Layers, bands};
 pub use dispatch::Number;
 use dispatch::Traced;
 use pixel::Pixel;
-pub use refine::{Refined, Task};
-pub use sampled::Sampled;
 use stage::Prepared;
 
 /// Traces one plan in the precision `R`.

@@ -1,7 +1,7 @@
 //! From a pixel to its rays and back to one colour.
 
 use fearless_simd::Simd;
-use scenec_picture::{NOTHING, Spread, Stats};
+use scenec_picture::{NOTHING, Refined, Sampled, Spread, Stats, Task};
 use scenec_plan::packed_structs::Frame;
 use scenec_plan::{Real, in_doubles};
 
@@ -9,8 +9,6 @@ use crate::bands::Tile;
 use crate::lanes::Lanes;
 use crate::path::{Spent, Walker};
 use crate::ray::{End, Ray};
-use crate::refine::{Refined, Task};
-use crate::sampled::Sampled;
 use crate::stage::Stage;
 use crate::vector::{Vector, dot, fma, neg, normalize, scale};
 
@@ -122,11 +120,7 @@ pub(crate) fn refine_run<R: Lanes, S: Simd>(
                 break;
             }
         }
-        *pixel = Refined {
-            mean: sampled.mean(),
-            samples: sampled.count(),
-            spread: sampled.spread(),
-        };
+        *pixel = Refined::from(&sampled);
         stats.dropped = stats.dropped.max(pixel.spread.dropped.into());
         stats.over_budget += u64::from(over);
     }

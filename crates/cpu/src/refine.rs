@@ -1,54 +1,16 @@
-//! Pixels that are sampled until somebody says that each has enough.
-
-use std::fmt;
+//! Single pixels, a few to a thread at a time.
 
 use rayon::prelude::*;
-use scenec_picture::{Limits, Spread, Stats, TraceError, Watch, Window};
+use scenec_picture::{Limits, Refined, Refiner, Stats, Task, TraceError, Watch, Window};
 
 use crate::Cpu;
 use crate::dispatch::Number;
-use crate::sampled::Sampled;
 
 /// A thread takes this many pixels at a time: few, for one of them may need thousands of samples.
 const RUN: usize = 8;
 
-/// Which pixels, and until when.
-#[derive(Clone, Copy)]
-pub struct Task<'a> {
-    /// Numbers of pixels, counted row by row within the window.
-    pub pixels: &'a [u32],
-    /// Whether a pixel, by its place among those above, has enough samples. Asked at 16, 24, 32, 48, 64, 96 and so on.
-    pub enough: &'a (dyn Fn(usize, &Sampled) -> bool + Sync),
-    /// The most that may be left out of one sample by all its branches that are below the cut-off.
-    pub spare: f64,
-}
-
-impl fmt::Debug for Task<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Task")
-            .field("pixels", &self.pixels.len())
-            .finish_non_exhaustive()
-    }
-}
-
-/// A pixel that was sampled until it had enough.
-#[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub struct Refined {
-    /// The mean of its samples.
-    pub mean: [f64; 3],
-    /// How many there are.
-    pub samples: u32,
-    /// How far they are apart.
-    pub spread: Spread,
-}
-
-impl<R: Number> Cpu<R> {
-    /// Samples some pixels of a window, each until it has enough or has had all of the tracer's sample points or its
-    /// budget of rays. A pixel has the same samples whichever others are asked for.
-    ///
-    /// # Errors
-    /// `Cancelled` soon after the watch says stop.
-    pub fn refine(
+impl<R: Number> Refiner for Cpu<R> {
+    fn refine(
         &mut self,
         window: Window,
         limits: Limits,

@@ -36,7 +36,7 @@ macro_rules! plain_structs {
     };
 }
 
-plain_structs! { Shape<R>, Leaf, Island, Cell, Node, Material<R>, Light<R>, Touch<R>, Outcome<R>, Frame<R>, }
+plain_structs! { Shape<R>, Leaf, Island, Cell, Node, Material<R>, Light<R>, Touch<R>, Outcome<R>, Sampled<R>, Frame<R>, }
 
 /// Elements as bytes.
 pub(crate) fn bytes<T: Plain>(items: &[T]) -> &[u8] {

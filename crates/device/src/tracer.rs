@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use scenec_picture::{Exact, Frame, NOTHING, Picture, Request, Stats, TraceError, Tracer};
-use scenec_plan::packed_structs::{self, Outcome};
+use scenec_picture::{Exact, Frame, NOTHING, Picture, Refiner, Request, Spread, Stats, TraceError, Tracer};
+use scenec_plan::packed_structs::{self, Outcome, Sampled};
 use scenec_plan::{Features, Packed, Plan, Real, in_doubles, in_singles};
 
 use crate::assemble::{Precision, options, relaxed_options, source};
@@ -14,6 +14,7 @@ use crate::info::DeviceInfo;
 use crate::known;
 use crate::pace::{LEAST, Pace, Run};
 use crate::program::Program;
+use crate::sampled::in_picture;
 use crate::session::Session;
 
 /// The most pixels of one run of the kernel: enough to fill any device.
@@ -29,6 +30,19 @@ pub fn tracer(
     precision: Precision,
     features: &Features,
 ) -> Result<Box<dyn Tracer>, DeviceError> {
+    Ok(refiner(info, plan, precision, features)?)
+}
+
+/// The same as a tracer that goes on with single pixels, if `features` have it tell how far samples are apart.
+///
+/// # Errors
+/// Those of [`tracer`].
+pub fn refiner(
+    info: &DeviceInfo,
+    plan: &Plan,
+    precision: Precision,
+    features: &Features,
+) -> Result<Box<dyn Refiner>, DeviceError> {
     Ok(match precision {
         Precision::F32 => Box::new(OpenCl::<f32>::new(info, plan, precision, features, Math::Strict)?),
         Precision::F64 if info.has_f64 => Box::new(OpenCl::<f64>::new(info, plan, precision, features, Math::Strict)?),
@@ -56,16 +70,18 @@ enum Math {
     Relaxed,
 }
 
-struct OpenCl<R> {
-    session: Session,
+pub(crate) struct OpenCl<R> {
+    pub(crate) session: Session,
     program: Program,
     precision: Precision,
     math: Math,
     /// Whether the program tells distances.
     distances: bool,
+    /// Whether it tells how far samples are apart.
+    pub(crate) spread: bool,
     /// World units per plan unit.
     unit: f64,
-    frame: packed_structs::Frame<R>,
+    pub(crate) frame: packed_structs::Frame<R>,
     scene: Scene<R>,
 }
 
@@ -131,21 +147,23 @@ impl<R: Real + Plain> OpenCl<R> {
             precision,
             math,
             distances: features.distances,
+            spread: features.spread,
             unit: plan.scale.recip(),
             frame: packed.frame,
             scene,
         })
     }
 
-    /// Runs the kernel; returns the device's nanoseconds.
-    fn run(
+    /// Runs a kernel, which is given the scene and then `more`; returns the device's nanoseconds.
+    pub(crate) fn run(
         &self,
+        kernel: &str,
         frame: &Buffer<packed_structs::Frame<R>>,
-        outcomes: &Buffer<Outcome<R>>,
-        run: &Run,
+        more: &[Arg<'_>],
+        size: [u32; 2],
     ) -> Result<u64, DeviceError> {
         let scene = &self.scene;
-        let args: [Arg<'_>; 20] = [
+        let scene: [Arg<'_>; 13] = [
             frame.into(),
             (&scene.shapes).into(),
             (&scene.leaves).into(),
@@ -159,7 +177,16 @@ impl<R: Real + Plain> OpenCl<R> {
             (&scene.touches).into(),
             (&scene.samples).into(),
             (&scene.reach).into(),
-            outcomes.into(),
+        ];
+        self.session
+            .run(&self.program, kernel, &[scene.as_slice(), more].concat(), size)
+    }
+
+    /// Runs some samples of a tile.
+    fn tile(&self, frame: &Buffer<packed_structs::Frame<R>>, room: &Room<R>, run: &Run) -> Result<u64, DeviceError> {
+        let more: [Arg<'_>; 8] = [
+            (&room.outcomes).into(),
+            (&room.sums).into(),
             run.column.into(),
             run.row.into(),
             run.columns.into(),
@@ -167,19 +194,31 @@ impl<R: Real + Plain> OpenCl<R> {
             run.samples.start.into(),
             run.samples.end.into(),
         ];
-        self.session.run(&self.program, "trace", &args, [run.columns, run.rows])
+        self.run("trace", frame, &more, [run.columns, run.rows])
     }
 
-    /// Room for the outcomes of a tile: of so many pixels, or of as many as the device has memory for.
-    fn outcomes(&self, pixels: usize) -> Result<Buffer<Outcome<R>>, DeviceError> {
+    /// Room for a tile: of so many pixels, or of as many as the device has memory for.
+    fn room(&self, pixels: usize) -> Result<Room<R>, DeviceError> {
         let mut pixels = pixels.clamp(LEAST, MOST_PIXELS);
         loop {
-            match self.session.zeros(pixels) {
+            let sums = self.session.zeros(if self.spread { pixels } else { 1 });
+            let room = self
+                .session
+                .zeros(pixels)
+                .and_then(|outcomes| Ok(Room { outcomes, sums: sums? }));
+            match room {
                 Err(_) if pixels > LEAST => pixels = (pixels / 2).max(LEAST),
-                outcomes => return outcomes,
+                room => return room,
             }
         }
     }
+}
+
+/// What a tile's pixels come to.
+struct Room<R> {
+    outcomes: Buffer<Outcome<R>>,
+    /// Of one pixel, if the program does not tell how far samples are apart.
+    sums: Buffer<Sampled<R>>,
 }
 
 impl<R: Real + Plain> Tracer for OpenCl<R> {
@@ -200,30 +239,37 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
         let mut exact: Option<Exact> = request.layers.exact.then(|| vec![[0.0; 3]; count]);
 
         let mut distances = (request.layers.distances && self.distances).then(|| vec![f64::INFINITY; count]);
+        let mut spread = (request.layers.spread && self.spread).then(|| vec![Spread::default(); count]);
         let (corner, size) = ([window.x, window.y], [window.width, window.height]);
         let limits = request.limits;
         self.frame.ask(corner, size, limits.cutoff, limits.ray_budget);
 
         let frame = self.session.upload(&[self.frame]).map_err(failed)?;
-        let outcomes = self.outcomes(count).map_err(failed)?;
-        let mut tile = vec![Outcome::<R>::default(); outcomes.len()];
+        let room = self.room(count).map_err(failed)?;
+        let mut tile = vec![Outcome::<R>::default(); room.outcomes.len()];
+        let mut sums = vec![Sampled::<R>::default(); if spread.is_some() { tile.len() } else { 0 }];
         let mut stats = Stats::default();
         let mut kernel_ns = 0;
-        let mut pace = Pace::new(window.width, window.height, self.frame.samples, outcomes.len());
+        let mut pace = Pace::new(window.width, window.height, self.frame.samples, tile.len());
         while let Some(run) = pace.next() {
             if request.watch.stopped() {
                 return Err(TraceError::Cancelled);
             }
-            let time = self.run(&frame, &outcomes, &run).map_err(failed)?;
+            let time = self.tile(&frame, &room, &run).map_err(failed)?;
             pace.took(&run, time);
             kernel_ns += time;
             if run.samples.end < self.frame.samples {
                 continue;
             }
             let done = &mut tile[..run.pixels()];
-            self.session.read(&outcomes, 0, done).map_err(failed)?;
+            self.session.read(&room.outcomes, 0, done).map_err(failed)?;
+            if spread.is_some() {
+                let sums = &mut sums[..run.pixels()];
+                self.session.read(&room.sums, 0, sums).map_err(failed)?;
+            }
             for (row, outcomes) in (run.row..).zip(done.chunks(run.columns as usize)) {
                 let at = row as usize * window.width as usize + run.column as usize;
+                let of_row = (row - run.row) as usize * run.columns as usize;
                 for (i, outcome) in outcomes.iter().enumerate() {
                     picture.pixels_mut()[at + i] = in_singles(outcome.colour);
                     if let Some(ids) = &mut ids {
@@ -234,6 +280,9 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
                     }
                     if let Some(distances) = &mut distances {
                         distances[at + i] = outcome.distance.to_f64() * self.unit;
+                    }
+                    if let Some(spread) = &mut spread {
+                        spread[at + i] = in_picture(&sums[of_row + i]).spread_with(outcome.dropped.to_f64());
                     }
                     stats = stats.merge(pixel_stats(outcome));
                 }
@@ -246,14 +295,14 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
             ids,
             exact,
             paths: None,
-            spread: None,
+            spread,
             distances,
             stats,
         })
     }
 }
 
-fn pixel_stats<R: Real>(outcome: &Outcome<R>) -> Stats {
+pub(crate) fn pixel_stats<R: Real>(outcome: &Outcome<R>) -> Stats {
     Stats {
         primary: outcome.primary.into(),
         shadow: outcome.shadow.into(),
@@ -265,6 +314,6 @@ fn pixel_stats<R: Real>(outcome: &Outcome<R>) -> Stats {
     }
 }
 
-fn failed(error: DeviceError) -> TraceError {
+pub(crate) fn failed(error: DeviceError) -> TraceError {
     TraceError::Failed(error.to_string())
 }

@@ -35,6 +35,6 @@ pub use page::page;
 pub use run::{Bench, Process, Report, Row, Start};
 pub use setting::{Machine, Program, Setting};
 pub use timing::Times;
-pub use tolerance::{Achieved, Tolerance};
+pub use tolerance::{Achieved, Sampler, Tolerance};
 pub use truth::Truth;
 pub use worth::{Worth, worth, worth_table};

@@ -1,9 +1,12 @@
 //! A picture to a tolerance: each pixel gets as many samples, and loses as many faint branches, as its bound allows.
 
-use scenec_cpu::{Cpu, Number, Refined, Sampled, Task};
-use scenec_device::Precision;
-use scenec_picture::{Limits, Picture, Stats, TooManyPixels, TraceError, Tracer, Watch, Window};
-use scenec_plan::{Plan, PlanError, plan};
+use scenec_cpu::Cpu;
+use scenec_device::{DeviceInfo, Precision, refiner};
+use scenec_picture::{
+    Limits, Picture, Refined, Refiner, Sampled, Stats, Task, TooManyPixels, TraceError, Watch, Window,
+};
+use scenec_plan::{Features, Plan, PlanError, plan};
+use scenec_reference::Reference;
 use scenec_scene::Scene;
 
 use crate::bound::Bound;
@@ -39,12 +42,26 @@ pub struct Tolerance<'a> {
     pub most_samples: u32,
     /// The most rays of a pixel, those towards lights aside.
     pub ray_budget: u32,
+    /// What takes the samples.
+    pub sampler: Sampler<'a>,
     /// In which numbers; the least exact that will do unless given.
     pub precision: Option<Precision>,
     /// How many threads; 0 for as many as the machine has.
     pub threads: usize,
     /// Who says stop, and who hears of each pixel that is done.
     pub watch: &'a Watch,
+}
+
+/// What takes the samples.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub enum Sampler<'a> {
+    /// The built-in tracer.
+    #[default]
+    Cpu,
+    /// The slow tracer, always in doubles.
+    Reference,
+    /// An OpenCL device.
+    OpenCl(&'a DeviceInfo),
 }
 
 /// What came of it.
@@ -66,6 +83,24 @@ pub struct Achieved {
     pub bound: Bound,
     /// Pixels whose bound is above the tolerance.
     pub missed: u64,
+}
+
+impl<'a> Tolerance<'a> {
+    /// The whole picture of a scene, with nothing more said.
+    #[must_use]
+    pub const fn of(scene: &'a Scene, tolerance: f64, watch: &'a Watch) -> Self {
+        Self {
+            scene,
+            window: Window::whole(scene.settings.width, scene.settings.height),
+            tolerance,
+            most_samples: Self::MOST_SAMPLES,
+            ray_budget: Self::RAY_BUDGET,
+            sampler: Sampler::Cpu,
+            precision: None,
+            threads: 0,
+            watch,
+        }
+    }
 }
 
 impl Tolerance<'_> {
@@ -96,15 +131,41 @@ impl Tolerance<'_> {
                 *point = [0, 1].map(|axis: usize| (point[axis] + 0.5 + by[axis]).fract() - 0.5);
             }
         }
-        match self.precision(&plan) {
-            Precision::F32 => self.on(Cpu::<f32>::new(&plan, self.threads)?, plan, Precision::F32),
-            Precision::F64 => self.on(Cpu::<f64>::new(&plan, self.threads)?, plan, Precision::F64),
-        }
+        let precision = self.precision(&plan);
+        let mut tracer = self.tracer(&scene, &plan, precision)?;
+        self.on(tracer.as_mut(), plan, precision)
+    }
+
+    fn tracer(&self, scene: &Scene, plan: &Plan, precision: Precision) -> Result<Box<dyn Refiner>, TraceError> {
+        Ok(match (self.sampler, precision) {
+            (Sampler::Cpu, Precision::F32) => Box::new(Cpu::<f32>::new(plan, self.threads)?),
+            (Sampler::Cpu, Precision::F64) => Box::new(Cpu::<f64>::new(plan, self.threads)?),
+            (Sampler::Reference, _) => {
+                let tracer = Reference::new(scene);
+                match self.threads {
+                    0 => Box::new(tracer),
+                    threads => Box::new(tracer.with_threads(threads)),
+                }
+            }
+            (Sampler::OpenCl(info), precision) => {
+                let features = Features {
+                    spread: true,
+                    ..Features::of(plan)
+                };
+                let refiner = refiner(info, plan, precision, &features);
+                refiner.map_err(|error| TraceError::Failed(error.to_string()))?
+            }
+        })
     }
 
     /// The one that was asked for, or singles where the plan has nothing against them and their roundings don't eat up
     /// the tolerance.
     fn precision(&self, plan: &Plan) -> Precision {
+        match self.sampler {
+            Sampler::Reference => return Precision::F64,
+            Sampler::OpenCl(info) if !info.has_f64 && self.precision.is_none() => return Precision::F32,
+            _ => {}
+        }
         self.precision.unwrap_or_else(|| {
             let rounded = Doubts::of(plan, roundoff(Precision::F32)).of_a_contrast();
             if plan.beyond_single().is_none() && rounded <= ROUNDED * self.tolerance {
@@ -115,7 +176,7 @@ impl Tolerance<'_> {
         })
     }
 
-    fn on<R: Number>(&self, mut cpu: Cpu<R>, plan: Plan, precision: Precision) -> Result<Achieved, TraceError> {
+    fn on(&self, tracer: &mut dyn Refiner, plan: Plan, precision: Precision) -> Result<Achieved, TraceError> {
         let doubts = Doubts::of(&plan, roundoff(precision));
         let mut pixels = Pixels::none_of(self.window)?;
         let mut stats = Stats::default();
@@ -127,8 +188,8 @@ impl Tolerance<'_> {
                 inside: window,
                 window: widened(window, &plan),
             };
-            let (first, few) = work.look(&mut cpu)?;
-            let (settled, more) = work.settle(&mut cpu, &first)?;
+            let (first, few) = work.look(tracer)?;
+            let (settled, more) = work.settle(tracer, &first)?;
             pixels.take(&settled);
             stats = stats.merge(few).merge(more);
         }
@@ -145,7 +206,7 @@ impl Tolerance<'_> {
             bound,
             picture,
             stats,
-            name: cpu.name(),
+            name: tracer.name(),
             plan,
             doubts,
             samples,
@@ -232,17 +293,17 @@ struct Work<'a> {
 
 impl Work<'_> {
     /// As few samples as may tell anything, everywhere.
-    fn look<R: Number>(&self, cpu: &mut Cpu<R>) -> Result<(Vec<Refined>, Stats), TraceError> {
+    fn look(&self, tracer: &mut dyn Refiner) -> Result<(Vec<Refined>, Stats), TraceError> {
         let least = least_samples(self.plan, self.window, self.asked.tolerance);
         let count = u32::try_from(self.window.pixels()).unwrap_or(u32::MAX);
         let pixels: Vec<u32> = (0..count).collect();
         let enough =
-            |index: usize, so_far: &Sampled| least.get(index).is_none_or(|least| so_far.count() >= u32::from(*least));
-        self.refine(cpu, &pixels, &enough)
+            |index: usize, so_far: &Sampled| least.get(index).is_none_or(|least| so_far.count >= u32::from(*least));
+        self.refine(tracer, &pixels, &enough)
     }
 
     /// More samples where the first ones do not suffice.
-    fn settle<R: Number>(&self, cpu: &mut Cpu<R>, first: &[Refined]) -> Result<(Vec<Settled>, Stats), TraceError> {
+    fn settle(&self, tracer: &mut dyn Refiner, first: &[Refined]) -> Result<(Vec<Settled>, Stats), TraceError> {
         let ranges: Vec<_> = first.iter().map(|pixel| Range::of(&pixel.spread)).collect();
         let around = around(&ranges, self.window.width as usize);
         let doubt = |place: usize, pixel: &Refined| {
@@ -266,14 +327,14 @@ impl Work<'_> {
             let place = pixels[index] as usize;
             let doubt = self
                 .doubts
-                .of_pixel(so_far.count(), so_far.mean(), &so_far.spread(), &around[place]);
-            let done = so_far.count() > first[place].samples && self.is_done(so_far.count(), &doubt);
+                .of_pixel(so_far.count, so_far.mean(), &so_far.spread(), &around[place]);
+            let done = so_far.count > first[place].samples && self.is_done(so_far.count, &doubt);
             if done {
                 self.asked.watch.advance(1);
             }
             done || self.asked.watch.stopped()
         };
-        let (refined, stats) = self.refine(cpu, &pixels, &enough)?;
+        let (refined, stats) = self.refine(tracer, &pixels, &enough)?;
         for ((index, place), refined) in places.into_iter().zip(&pixels).zip(refined) {
             let doubt = doubt(*place as usize, &refined);
             settled[index] = Settled { refined, doubt };
@@ -293,9 +354,9 @@ impl Work<'_> {
         doubt.bound() <= tolerance || (count >= PATIENCE && in_the_end.bound() > tolerance)
     }
 
-    fn refine<R: Number>(
+    fn refine(
         &self,
-        cpu: &mut Cpu<R>,
+        tracer: &mut dyn Refiner,
         pixels: &[u32],
         enough: &(dyn Fn(usize, &Sampled) -> bool + Sync),
     ) -> Result<(Vec<Refined>, Stats), TraceError> {
@@ -305,7 +366,7 @@ impl Work<'_> {
             ray_budget: self.asked.ray_budget,
         };
         let task = Task { pixels, enough, spare };
-        cpu.refine(self.window, limits, &task, self.asked.watch)
+        tracer.refine(self.window, limits, &task, self.asked.watch)
     }
 
     /// The places of what is asked for, row by row within the window.

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use scenec_cpu::{Cpu, Sampled, Task};
-use scenec_picture::{Exact, Limits, TraceError};
+use scenec_cpu::Cpu;
+use scenec_picture::{Exact, Limits, Refiner as _, Sampled, Task, TraceError};
 use scenec_plan::{PlanError, plan, sample_points};
 
 use crate::tolerance::{Achieved, Tolerance};

@@ -41,6 +41,8 @@ pub struct Features {
     pub supersampling: bool,
     /// Distances are told too; no picture needs them.
     pub distances: bool,
+    /// It is told how far a pixel's samples are apart; no picture needs that either.
+    pub spread: bool,
     /// How many rays may wait, rounded up to a power of two; 1 where none does.
     pub waiting: u32,
     /// Room for the members of the largest island, rounded up to a power of two; 0 where they are computed anew instead.
@@ -86,6 +88,7 @@ impl Features {
             inside: plan.standpoint.in_front || plan.standpoint.behind || refractions,
             supersampling: plan.view.samples.len() > 1,
             distances: false,
+            spread: false,
             waiting: if branching {
                 plan.view.raydepth.next_power_of_two()
             } else {
@@ -119,6 +122,7 @@ impl Features {
             inside: true,
             supersampling: true,
             distances: false,
+            spread: false,
             waiting: plan.view.raydepth.max(1).next_power_of_two(),
             members: 0,
         }
@@ -126,7 +130,7 @@ impl Features {
 
     /// Names and values for a kernel's source, and for people.
     #[must_use]
-    pub fn list(&self) -> [(&'static str, u32); 20] {
+    pub fn list(&self) -> [(&'static str, u32); 21] {
         [
             ("BALLS", self.balls.into()),
             ("ELLIPSOIDS", self.ellipsoids.into()),
@@ -144,6 +148,7 @@ impl Features {
             ("INSIDE", self.inside.into()),
             ("SUPERSAMPLING", self.supersampling.into()),
             ("DISTANCES", self.distances.into()),
+            ("SPREAD", self.spread.into()),
             ("WAITING", self.waiting),
             ("MEMBERS", self.members),
             ("HIERARCHY_DEPTH", MAX_DEPTH as u32),

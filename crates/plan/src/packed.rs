@@ -3,94 +3,9 @@
 //! Each struct is written once, below. The macro makes the Rust type and a description of it from which the kernels'
 //! side is generated, and refuses a struct that would hold padding in either precision.
 
+use crate::layout::{Describe, Field, Layout, Number};
 use crate::shapes::ShapeKind;
 use crate::{Plan, Real};
-
-/// What a field is made of.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum FieldKind {
-    /// The number that the tracer computes in: 4 or 8 bytes.
-    Real,
-    /// A single, whatever the tracer computes in.
-    Float,
-    /// 32 bits without a sign.
-    Uint,
-}
-
-impl FieldKind {
-    /// Bytes of one, given the bytes of the tracer's number.
-    #[must_use]
-    pub const fn bytes(self, real: usize) -> usize {
-        match self {
-            Self::Real => real,
-            Self::Float | Self::Uint => 4,
-        }
-    }
-}
-
-/// A field: `count` of one kind, one after another.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Field {
-    /// Its name on both sides.
-    pub name: &'static str,
-    /// What it is made of.
-    pub kind: FieldKind,
-    /// How many; `None` for a single one that is no array.
-    pub count: Option<usize>,
-}
-
-/// A struct as both sides see it.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Layout {
-    /// Its name on both sides.
-    pub name: &'static str,
-    /// Its fields in order, without padding.
-    pub fields: &'static [Field],
-}
-
-impl Layout {
-    /// Bytes of the struct, given the bytes of the tracer's number.
-    #[must_use]
-    pub const fn bytes(&self, real: usize) -> usize {
-        let (mut sum, mut i) = (0, 0);
-        while i < self.fields.len() {
-            let field = &self.fields[i];
-            let count = match field.count {
-                Some(count) => count,
-                None => 1,
-            };
-            sum += field.kind.bytes(real) * count;
-            i += 1;
-        }
-        sum
-    }
-}
-
-/// How a field's type is described.
-trait Describe {
-    const KIND: FieldKind;
-    const COUNT: Option<usize> = None;
-}
-
-/// Stands for the tracer's number in a description.
-struct Number;
-
-impl Describe for Number {
-    const KIND: FieldKind = FieldKind::Real;
-}
-
-impl Describe for f32 {
-    const KIND: FieldKind = FieldKind::Float;
-}
-
-impl Describe for u32 {
-    const KIND: FieldKind = FieldKind::Uint;
-}
-
-impl<T: Describe, const N: usize> Describe for [T; N] {
-    const KIND: FieldKind = T::KIND;
-    const COUNT: Option<usize> = Some(N);
-}
 
 macro_rules! packed {
     ($($(#[$doc:meta])+ $name:ident $(<$real:ident>)? {
@@ -258,6 +173,31 @@ packed! {
         /// 1 if the ray budget was met.
         over: u32,
     }
+    /// What the samples of a pixel add up to on a device, in blocks of samples that follow one another.
+    Sampled<R> {
+        /// Sums of the blocks' first components.
+        red: [R; 16],
+        /// Sums of their second components.
+        green: [R; 16],
+        /// Sums of their third components.
+        blue: [R; 16],
+        /// What roundings took from the block that is being filled.
+        lost: [R; 3],
+        /// The least of any sample.
+        low: [R; 3],
+        /// The most of any sample.
+        high: [R; 3],
+        /// The sum of what dropped branches could have added.
+        dropped: R,
+        /// How many samples.
+        count: u32,
+        /// Whole blocks.
+        whole: u32,
+        /// Samples in a whole block.
+        size: u32,
+        /// Samples in the last block.
+        filled: u32,
+    }
     /// Everything there is one of.
     Frame<R> {
         /// Where the camera stands.
@@ -280,6 +220,8 @@ packed! {
         zenith: [R; 3],
         /// A branch that can add less is dropped.
         cutoff: R,
+        /// The most that one sample may lose that way.
+        spare: R,
         /// Columns of the whole picture.
         width: u32,
         /// Rows of the whole picture.
@@ -427,11 +369,11 @@ impl Plan {
 
 impl<R: Real> Frame<R> {
     /// Sets what one request asks for: the window's first column and row, its columns and rows, the weight below which a
-    /// branch is dropped, and the most rays of a pixel, of which there is at least one.
+    /// branch is dropped, however many there are, and the most rays of a pixel, of which there is at least one.
     pub fn ask(&mut self, corner: [u32; 2], size: [u32; 2], cutoff: f64, ray_budget: u32) {
         [self.window_x, self.window_y] = corner;
         [self.window_width, self.window_height] = size;
-        self.cutoff = R::of(cutoff);
+        (self.cutoff, self.spare) = (R::of(cutoff), R::INFINITY);
         self.ray_budget = ray_budget.max(1);
     }
 }

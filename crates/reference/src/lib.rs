@@ -9,6 +9,7 @@ mod camera;
 mod hash;
 mod list;
 mod reference;
+mod refine;
 mod shade;
 mod shape;
 mod tally;

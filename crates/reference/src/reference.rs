@@ -4,7 +4,7 @@ use std::iter;
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-use scenec_picture::{Frame, Picture, Request, Stats, TraceError, Tracer};
+use scenec_picture::{Frame, Picture, Request, Sampled, Spread, Stats, TraceError, Tracer, Watch};
 use scenec_scene::Scene;
 
 use crate::camera::{Eye, sample_point};
@@ -19,7 +19,7 @@ use crate::tally::Tally;
 pub struct Reference {
     world: World,
     eye: Option<Eye>,
-    samples: u32,
+    pub(crate) samples: u32,
     threads: usize,
 }
 
@@ -42,12 +42,31 @@ impl Reference {
         self
     }
 
-    /// A pixel by its column and row in the whole picture: the mean of its samples, and what the first one met.
-    fn pixel(&self, eye: &Eye, column: u32, row: u32, tally: &mut Tally) -> Sight {
+    /// The eye, if it sees.
+    pub(crate) fn eye(&self) -> Result<&Eye, TraceError> {
+        self.eye.as_ref().ok_or_else(|| {
+            TraceError::Failed(
+                "the eye, its aim and its up direction give no view; two of them agree or are 0".to_owned(),
+            )
+        })
+    }
+
+    /// Sample number `k` of a pixel, which has a column and a row in the whole picture.
+    pub(crate) fn sample(&self, eye: &Eye, [column, row]: [u32; 2], k: u32, tally: &mut Tally) -> Sight {
+        let (x, y) = sample_point(k);
+        let direction = eye.towards(f64::from(column) + x, f64::from(row) + y);
+        self.world.look(eye.place, direction, tally)
+    }
+
+    /// The mean of a pixel's samples, and what the first one met; `each` hears of each that there is a ray for.
+    fn pixel(&self, eye: &Eye, place: [u32; 2], tally: &mut Tally, mut each: impl FnMut(&Sight)) -> Sight {
         let mut look = |k| {
-            let (x, y) = sample_point(k);
-            let direction = eye.towards(f64::from(column) + x, f64::from(row) + y);
-            self.world.look(eye.place, direction, tally)
+            let unpaid = tally.is_spent();
+            let sight = self.sample(eye, place, k, tally);
+            if !unpaid {
+                each(&sight);
+            }
+            sight
         };
         let first = look(0);
         let sum = (1..self.samples).fold(first.colour, |sum, k| sum + look(k).colour);
@@ -66,25 +85,39 @@ impl Reference {
             }
             let mut tally = Tally::new(request.limits.ray_budget.max(1));
             let column = request.window.x.saturating_add(index as u32);
-            let sight = self.pixel(eye, column, row, &mut tally);
+            let mut sampled = out.spread.as_ref().map(|_| Sampled::default());
+            let sight = self.pixel(eye, [column, row], &mut tally, |sight| {
+                if let Some(sampled) = &mut sampled {
+                    sampled.add(sight.colour.to_array(), 0.0);
+                }
+            });
+            let own = tally.stats(self.samples);
             out.put(index, &sight);
-            stats = stats.merge(tally.stats(self.samples));
+            if let (Some(spread), Some(sampled)) = (&mut out.spread, &sampled) {
+                spread[index] = sampled.spread_with(own.dropped);
+            }
+            stats = stats.merge(own);
         }
         stats
     }
 
-    /// All rows, shared among the threads; each takes the next one when it has finished its last.
-    fn share<'a>(&self, eye: &Eye, request: &Request<'_>, rows: impl Iterator<Item = (u32, Row<'a>)> + Send) -> Stats {
-        let queue = Mutex::new(rows);
+    /// Work that is shared among the threads; each takes the next piece when it has finished its last, until somebody says
+    /// stop.
+    pub(crate) fn share<T>(
+        &self,
+        pieces: impl Iterator<Item = T> + Send,
+        watch: &Watch,
+        piece: impl Fn(T) -> Stats + Sync,
+    ) -> Stats {
+        let queue = Mutex::new(pieces);
         let total = Mutex::new(Stats::default());
         let work = || {
-            while !request.watch.stopped() {
+            while !watch.stopped() {
                 let next = queue.lock().unwrap_or_else(PoisonError::into_inner).next();
-                let Some((row, out)) = next else { return };
-                let stats = self.row(eye, request, row, out);
+                let Some(next) = next else { return };
+                let stats = piece(next);
                 let mut total = total.lock().unwrap_or_else(PoisonError::into_inner);
                 *total = total.merge(stats);
-                request.watch.advance(u64::from(request.window.width));
             }
         };
         thread::scope(|scope| {
@@ -103,31 +136,34 @@ impl Tracer for Reference {
     }
 
     fn trace(&mut self, request: &Request<'_>) -> Result<Frame, TraceError> {
-        let eye = self.eye.as_ref().ok_or_else(|| {
-            TraceError::Failed(
-                "the eye, its aim and its up direction give no view; two of them agree or are 0".to_owned(),
-            )
-        })?;
+        let eye = self.eye()?;
         let (window, layers) = (request.window, request.layers);
         let mut picture = Picture::black(window.width, window.height)?;
         let pixels = picture.pixels().len();
         let mut ids = layers.ids.then(|| vec![0; pixels]);
         let mut exact = layers.exact.then(|| vec![[0.0; 3]; pixels]);
         let mut paths = layers.paths.then(|| vec![0; pixels]);
+        let mut spread = layers.spread.then(|| vec![Spread::default(); pixels]);
         let mut distances = layers.distances.then(|| vec![0.0; pixels]);
 
         let width = window.width.max(1) as usize;
         let stats = {
             let (mut ids, mut exact) = (rows(&mut ids, width), rows(&mut exact, width));
             let (mut paths, mut distances) = (rows(&mut paths, width), rows(&mut distances, width));
+            let mut spread = rows(&mut spread, width);
             let out = picture.pixels_mut().chunks_mut(width).map(|picture| Row {
                 picture,
                 ids: ids.next().flatten(),
                 exact: exact.next().flatten(),
                 paths: paths.next().flatten(),
+                spread: spread.next().flatten(),
                 distances: distances.next().flatten(),
             });
-            self.share(eye, request, (window.y..).zip(out))
+            self.share((window.y..).zip(out), request.watch, |(row, out)| {
+                let stats = self.row(eye, request, row, out);
+                request.watch.advance(u64::from(window.width));
+                stats
+            })
         };
         if request.watch.stopped() {
             return Err(TraceError::Cancelled);
@@ -137,7 +173,7 @@ impl Tracer for Reference {
             ids,
             exact,
             paths,
-            spread: None,
+            spread,
             distances,
             stats,
         })
@@ -150,6 +186,7 @@ struct Row<'a> {
     ids: Option<&'a mut [u32]>,
     exact: Option<&'a mut [[f64; 3]]>,
     paths: Option<&'a mut [u64]>,
+    spread: Option<&'a mut [Spread]>,
     distances: Option<&'a mut [f64]>,
 }
 

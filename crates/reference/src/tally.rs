@@ -40,6 +40,11 @@ impl Tally {
         }
     }
 
+    /// Whether there are no rays left.
+    pub(crate) const fn is_spent(&self) -> bool {
+        self.left == 0
+    }
+
     /// Pays for a ray; not if the budget is used up.
     pub(crate) fn affords(&mut self, kind: Kind) -> bool {
         if self.left == 0 {

@@ -86,8 +86,8 @@ impl Render {
 
     fn render(&self) -> Result<Exit, Failure> {
         let mut clock = Clock::start();
-        if let Some(option) = self.bounds.needs_own_tracer() {
-            self.machine.must_be_own(option)?;
+        if let Some(option) = self.bounds.bounded_by() {
+            self.machine.must_keep_rules(option)?;
         }
         let target = self.target.target(&self.file)?;
         let map = self.bounds.map(&self.file, &target)?;
@@ -102,7 +102,7 @@ impl Render {
         }
 
         let watch = interrupt::watch();
-        let bands = self.bounds.needs_own_tracer().is_none() && target.wants_bands(&window)?;
+        let bands = self.bounds.bounded_by().is_none() && target.wants_bands(&window)?;
         let traced = if bands {
             let trace = |deliver: Deliver<'_>| self.trace(&scene, window, &mut clock, Some(deliver));
             target.stream(&window, watch, trace)?
@@ -140,12 +140,13 @@ impl Render {
                 window,
                 limits,
                 layers: Layers {
-                    spread: deliver.is_none() && self.bounds.spread(&window, self.talk.stats),
+                    spread: deliver.is_none()
+                        && self.machine.keeps_rules()
+                        && self.bounds.spread(&window, self.talk.stats),
                     ..Layers::default()
                 },
                 watch: interrupt::watch(),
             },
-            own: self.bounds.needs_own_tracer().is_some(),
             clock,
             deliver,
             delivered: machine::Delivered::default(),

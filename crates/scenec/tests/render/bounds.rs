@@ -6,8 +6,12 @@ use crate::room::Room;
 
 /// The map of a render with these arguments.
 fn map(room: &Room, name: &str, arguments: &str) -> Picture {
+    map_by("cpu", room, name, arguments)
+}
+
+fn map_by(device: &str, room: &Room, name: &str, arguments: &str) -> Picture {
     let ran = room.run(&format!(
-        "good.scene -o new.png --device cpu --error-map {name} {arguments}"
+        "good.scene -o new.png --device {device} --error-map {name} {arguments}"
     ));
     assert_eq!(ran.code, Some(0), "{}", ran.words);
     load(&room.path(name)).unwrap()
@@ -62,6 +66,27 @@ fn a_map_holds_the_bounds_as_numbers_or_as_colours() {
 }
 
 #[test]
+fn every_tracer_tells_how_wrong_it_may_be() {
+    let room = Room::new();
+    let expect = map(&room, "map.pfm", "--samples 16 --precision f64");
+    let opencl = room.run("good.scene -o new.png --device opencl").code == Some(0);
+    for device in ["reference"].into_iter().chain(opencl.then_some("opencl")) {
+        let found = map_by(device, &room, "other.pfm", "--samples 16 --precision f64");
+        let pairs = found.pixels().iter().zip(expect.pixels());
+        let apart = pairs.map(|(a, b)| (a[0] - b[0]).abs()).fold(0.0, f32::max);
+        // Of the slow tracer's nothing is dropped.
+        assert!(apart <= 1.0 / 1024.0, "{device}: {apart}");
+        let kept = map_by(device, &room, "other.pfm", "--tolerance 1/16");
+        assert!(
+            kept.pixels().as_flattened().iter().all(|bound| *bound <= 1.0 / 16.0),
+            "{device}"
+        );
+        let told = room.run(&format!("good.scene -o new.png --device {device} --stats"));
+        assert!(told.words.contains(" (estimated)"), "{device}: {}", told.words);
+    }
+}
+
+#[test]
 fn a_picture_is_the_same_with_a_map_of_its_bounds() {
     let room = Room::new();
     map(&room, "map.png", "--samples 3");
@@ -78,12 +103,8 @@ fn what_makes_no_sense_is_refused() {
         ("--tolerance 1/64 --samples 4", "cannot be used with"),
         ("--tolerance 1/64 --cutoff 0", "cannot be used with"),
         (
-            "--tolerance 1/64 --device reference",
-            "--tolerance is for the built-in tracer",
-        ),
-        (
-            "--error-map m.png --device opencl",
-            "--error-map is for the built-in tracer",
+            "--tolerance 1/64 --device opencl --fast-math",
+            "--tolerance is about what is promised, and with --fast-math nothing is",
         ),
         ("--most-samples 16", "--tolerance"),
         ("--tolerance 1/64 --most-samples 15", "15 is not in 16..=262144"),

@@ -3,7 +3,6 @@
 use std::io::{self, Write};
 
 use scenec_measure::{Tolerance, worth, worth_table};
-use scenec_picture::Window;
 use scenec_scene::Scene;
 
 use crate::exit::Exit;
@@ -14,16 +13,7 @@ use crate::interrupt;
 pub(super) fn run(scenes: &[(String, Scene)], tolerance: f64) -> Result<Exit, Failure> {
     let mut rows = Vec::with_capacity(scenes.len());
     for (name, scene) in scenes {
-        let wish = Tolerance {
-            scene,
-            window: Window::whole(scene.settings.width, scene.settings.height),
-            tolerance,
-            most_samples: Tolerance::MOST_SAMPLES,
-            ray_budget: Tolerance::RAY_BUDGET,
-            precision: None,
-            threads: 0,
-            watch: interrupt::watch(),
-        };
+        let wish = Tolerance::of(scene, tolerance, interrupt::watch());
         rows.push((name.clone(), worth(&wish)?));
     }
     // A reader that has gone away has read enough.

@@ -100,7 +100,7 @@ fn bound(traced: &Traced) -> String {
     match &traced.doubts {
         Some(doubts) => super::bounds::words(&Bound::of(doubts)),
         None => format!(
-            "truncation at most {:.3e} (proven); the built-in tracer estimates the rest, of up to {} pixels",
+            "truncation at most {:.3e} (proven); the rest is estimated of up to {} pixels",
             traced.frame.stats.dropped,
             grouped(super::bounds::MOST_PIXELS)
         ),

@@ -24,7 +24,7 @@ pub(super) struct BoundOptions {
     /// Each pixel takes as many samples, and drops as many faint branches of its paths, as its bound allows; those of the
     /// file, --samples and --cutoff do not count. What branches may add is proven, what roundings and more samples may
     /// change is estimated. Where a pixel can't be brought below, the picture is written all the same, a
-    /// warning says how many there are and why, and the exit code is 4. The built-in tracer does it.
+    /// warning says how many there are and why, and the exit code is 4. Unless --device says otherwise, the built-in tracer does it.
     #[arg(long, value_name = "T", value_parser = values::tolerance, conflicts_with_all = ["samples", "cutoff"])]
     pub(super) tolerance: Option<f64>,
     /// The most samples that one pixel may take for --tolerance
@@ -34,7 +34,7 @@ pub(super) struct BoundOptions {
     /// Write how wrong each pixel may be as a picture too: numbers in floating-point formats, colours in others
     ///
     /// In colours, black is up to 1/65536, blue about 1/4096, red about 1/256, yellow about 1/16 and white from 1 on; green
-    /// is where there is no bound. The built-in tracer tells it.
+    /// is where there is no bound.
     #[arg(long, value_name = "FILE")]
     error_map: Option<PathBuf>,
 }
@@ -65,8 +65,8 @@ impl BoundOptions {
         Ok(())
     }
 
-    /// The option that needs the built-in tracer, if one does.
-    pub(super) fn needs_own_tracer(&self) -> Option<&'static str> {
+    /// The option that is about the bound of each pixel, if there is one; such a picture is held as a whole.
+    pub(super) fn bounded_by(&self) -> Option<&'static str> {
         let map = self.error_map.as_ref().map(|_| "--error-map");
         self.tolerance.map(|_| "--tolerance").or(map)
     }

@@ -2,6 +2,7 @@
 
 use clap::Args;
 use scenec_device::{DeviceInfo, Precision, Verdict, auto, discover, features, is_opencl, select};
+use scenec_measure::Sampler;
 use scenec_plan::{Features, Plan};
 
 use crate::failure::Failure;
@@ -69,15 +70,31 @@ impl Choice {
 }
 
 impl MachineOptions {
-    /// Refuses a tracer that can't tell how far samples are apart, as this option of the command line needs it.
-    pub(super) fn must_be_own(&self, option: &str) -> Result<(), Failure> {
-        match self.device {
-            Choice::Auto | Choice::Cpu => Ok(()),
-            Choice::Reference | Choice::OpenCl(_) => Err(Failure::Unusable(format!(
-                "{option} is for the built-in tracer, which alone tells how far a pixel's samples are apart; leave out \
-                 --device, or use --device cpu"
-            ))),
+    /// Refuses arithmetic of which nothing is known, as this option of the command line needs it.
+    pub(super) fn must_keep_rules(&self, option: &str) -> Result<(), Failure> {
+        if self.fast_math {
+            return Err(Failure::Unusable(format!(
+                "{option} is about what is promised, and with --fast-math nothing is"
+            )));
         }
+        Ok(())
+    }
+
+    /// Whether anything is known of how wrong a picture is.
+    pub(super) fn keeps_rules(&self) -> bool {
+        !self.fast_math
+    }
+
+    /// What samples pixel by pixel: the built-in tracer, unless another is asked for.
+    ///
+    /// # Errors
+    /// There is no such device.
+    pub(super) fn sampler(&self) -> Result<Sampler<'static>, Failure> {
+        Ok(match &self.device {
+            Choice::Auto | Choice::Cpu => Sampler::Cpu,
+            Choice::Reference => Sampler::Reference,
+            Choice::OpenCl(request) => Sampler::OpenCl(select(request, discover())?),
+        })
     }
 
     /// The precision that was asked for; `None` for `auto`.

@@ -6,7 +6,7 @@ use scenec_cpu::{Cpu, Number};
 use scenec_device::{DeviceInfo, Precision, remember_gain, worth_asking};
 use scenec_measure::{Doubt, Tolerance, doubts};
 use scenec_picture::{Frame, Request, Stats, Tracer, Window};
-use scenec_plan::{Features, Plan, plan};
+use scenec_plan::{Features, Plan, PlanError, plan};
 use scenec_reference::Reference;
 use scenec_scene::Scene;
 
@@ -46,8 +46,6 @@ pub(super) struct Promise {
 pub(super) struct Attempt<'a> {
     pub(super) options: &'a MachineOptions,
     pub(super) request: Request<'a>,
-    /// Whether only the built-in tracer will do.
-    pub(super) own: bool,
     pub(super) clock: &'a mut Clock,
     /// Takes the picture band by band, where it is too large to be held.
     pub(super) deliver: Option<Deliver<'a>>,
@@ -74,13 +72,16 @@ impl Attempt<'_> {
     /// Traces the scene.
     pub(super) fn trace(&mut self, scene: &Scene) -> Result<Traced, Failure> {
         if self.options.wants_reference() {
-            let mut tracer = Reference::new(scene);
-            if self.options.threads() > 0 {
-                tracer = tracer.with_threads(self.options.threads());
-            }
-            return self.finish(&mut tracer, None, None);
+            // The tracer goes without a plan; what roundings may do is told by one.
+            let told = self.request.layers.spread.then(|| plan(scene).map_err(unplanned));
+            let told = told.transpose()?;
+            let traced = self.finish(&mut self.reference(scene), None)?;
+            return Ok(match told {
+                Some(plan) => self.doubted(traced, &plan, Precision::F64),
+                None => traced,
+            });
         }
-        let plan = plan(scene).map_err(|error| Failure::Unusable(format!("the scene can't be traced: {error}")))?;
+        let plan = plan(scene).map_err(unplanned)?;
         let precision = self.options.precision(&plan, self.warn);
         self.clock.lap("plan");
         match precision {
@@ -93,7 +94,7 @@ impl Attempt<'_> {
         let threads = self.options.threads();
         let mut prepared = None;
         let nanoseconds = match most(&plan, &self.request, workers(threads)) {
-            _ if self.own || !self.options.wants_forecast() => 0.0,
+            _ if !self.options.wants_forecast() => 0.0,
             Some(most) if !worth_asking(most) => most,
             _ => {
                 let cpu = prepared.insert(Cpu::<R>::new(&plan, threads)?);
@@ -101,9 +102,7 @@ impl Attempt<'_> {
             }
         };
         self.clock.lap("prepare");
-        if !self.own
-            && let Some(info) = self.options.choose(&plan, precision, nanoseconds)?.device
-        {
+        if let Some(info) = self.options.choose(&plan, precision, nanoseconds)?.device {
             let precision = self.options.precision_on(info, precision, self.warn);
             match self.opencl(info, plan.clone(), precision, nanoseconds) {
                 Err(Failure::Device(reason)) if self.options.may_change() && !self.request.watch.stopped() => {
@@ -118,29 +117,42 @@ impl Attempt<'_> {
             Some(cpu) => cpu,
             None => Cpu::<R>::new(&plan, threads)?,
         };
-        let mut traced = self.finish(&mut cpu, None, None)?;
-        traced.doubts = doubts(&plan, precision, &traced.frame);
-        if traced.doubts.is_some() {
-            self.clock.lap("bound");
-        }
+        let traced = self.finish(&mut cpu, None)?;
+        let traced = self.doubted(traced, &plan, precision);
         Ok(Traced {
             plan: Some(plan),
             ..traced
         })
     }
 
+    fn reference(&self, scene: &Scene) -> Reference {
+        let tracer = Reference::new(scene);
+        match self.options.threads() {
+            0 => tracer,
+            threads => tracer.with_threads(threads),
+        }
+    }
+
+    /// The same with how wrong each pixel may be, if the tracer tells how far samples are apart.
+    fn doubted(&mut self, mut traced: Traced, plan: &Plan, precision: Precision) -> Traced {
+        traced.doubts = doubts(plan, precision, &traced.frame);
+        if traced.doubts.is_some() {
+            self.clock.lap("bound");
+        }
+        traced
+    }
+
     /// Traces the scene until no pixel may be off by more than a tolerance, or none can be improved.
     pub(super) fn promised(&mut self, scene: &Scene, tolerance: f64, most_samples: u32) -> Result<Traced, Failure> {
         let request = &self.request;
         let wish = Tolerance {
-            scene,
             window: request.window,
-            tolerance,
             most_samples,
             ray_budget: request.limits.ray_budget,
+            sampler: self.options.sampler()?,
             precision: self.options.asked_precision(),
             threads: self.options.threads(),
-            watch: request.watch,
+            ..Tolerance::of(scene, tolerance, request.watch)
         };
         let pixels = request.window.pixels();
         let achieved = progress::shown(request.watch, pixels, self.progress, || wish.achieve());
@@ -175,13 +187,16 @@ impl Attempt<'_> {
         precision: Precision,
         nanoseconds: f64,
     ) -> Result<Traced, Failure> {
-        let features = self.options.features_on(info, &plan, precision, nanoseconds);
+        let features = Features {
+            spread: self.request.layers.spread,
+            ..self.options.features_on(info, &plan, precision, nanoseconds)
+        };
         let mut tracer = if self.options.fast_math(precision) {
             scenec_device::relaxed_tracer(info, &plan, &features)?
         } else {
             scenec_device::tracer(info, &plan, precision, &features)?
         };
-        let outcome = self.finish(tracer.as_mut(), Some(plan), Some(features));
+        let outcome = self.finish(tracer.as_mut(), Some(features));
         drop(tracer);
         if let Ok(traced) = &outcome
             && let Some(kernel) = traced.frame.stats.kernel_ns
@@ -190,15 +205,14 @@ impl Attempt<'_> {
             remember_gain(info, precision, kernel as f64, nanoseconds);
         }
         self.clock.lap("release");
-        outcome
+        let traced = self.doubted(outcome?, &plan, precision);
+        Ok(Traced {
+            plan: Some(plan),
+            ..traced
+        })
     }
 
-    fn finish(
-        &mut self,
-        tracer: &mut dyn Tracer,
-        plan: Option<Plan>,
-        features: Option<Features>,
-    ) -> Result<Traced, Failure> {
+    fn finish(&mut self, tracer: &mut dyn Tracer, features: Option<Features>) -> Result<Traced, Failure> {
         self.clock.lap("prepare");
         let (watch, pixels, shown) = (self.request.watch, self.request.window.pixels(), self.progress);
         let traced = progress::shown(watch, pixels, shown, || self.bands(tracer));
@@ -208,7 +222,7 @@ impl Attempt<'_> {
             frame,
             strange,
             name: tracer.name(),
-            plan,
+            plan: None,
             features,
             doubts: None,
             promise: None,
@@ -245,6 +259,10 @@ impl Attempt<'_> {
             }
         }
     }
+}
+
+fn unplanned(error: PlanError) -> Failure {
+    Failure::Unusable(format!("the scene can't be traced: {error}"))
 }
 
 /// How many threads a built-in tracer has that is asked for so many.

@@ -1,33 +1,33 @@
 //! What the samples of one pixel add up to.
 
-use scenec_picture::Spread;
+use crate::Spread;
 
-/// Blocks of samples that follow one another: never fewer than half as many, once there are enough samples.
-const BLOCKS: usize = 16;
-
-/// The samples of one pixel so far.
+/// The samples of one pixel so far. A device adds them up in the same way, so that all of it is open.
 #[derive(Clone, Copy, Debug)]
 pub struct Sampled {
-    count: u32,
-    /// Sums of whole blocks, and of the one that is being filled.
-    blocks: [[f64; 3]; BLOCKS],
+    /// How many.
+    pub count: u32,
+    /// Sums of whole blocks, of the one that is being filled, and nothing in the rest.
+    pub blocks: [[f64; 3]; Self::BLOCKS],
     /// Whole blocks.
-    whole: usize,
+    pub whole: usize,
     /// Samples in a whole block.
-    size: u32,
+    pub size: u32,
     /// Samples in the last block.
-    filled: u32,
-    low: [f64; 3],
-    high: [f64; 3],
+    pub filled: u32,
+    /// The least of any sample.
+    pub low: [f64; 3],
+    /// The most of any sample.
+    pub high: [f64; 3],
     /// The sum of what dropped branches could have added.
-    dropped: f64,
+    pub dropped: f64,
 }
 
 impl Default for Sampled {
     fn default() -> Self {
         Self {
             count: 0,
-            blocks: [[0.0; 3]; BLOCKS],
+            blocks: [[0.0; 3]; Self::BLOCKS],
             whole: 0,
             size: 1,
             filled: 0,
@@ -39,9 +39,12 @@ impl Default for Sampled {
 }
 
 impl Sampled {
+    /// Blocks of samples that follow one another: never fewer than half as many, once there are enough samples.
+    pub const BLOCKS: usize = 16;
+
     /// Adds one sample, and the most that its dropped branches could have added to it.
     #[inline(always)]
-    pub(crate) fn add(&mut self, colour: [f64; 3], dropped: f64) {
+    pub fn add(&mut self, colour: [f64; 3], dropped: f64) {
         self.count += 1;
         self.dropped += dropped;
         for (component, value) in colour.into_iter().enumerate() {
@@ -53,31 +56,36 @@ impl Sampled {
         if self.filled == self.size {
             (self.whole, self.filled) = (self.whole + 1, 0);
         }
-        if self.whole == BLOCKS {
+        if self.whole == Self::BLOCKS {
             self.merge();
         }
     }
 
     /// Two blocks become one.
     fn merge(&mut self) {
-        for block in 0..BLOCKS / 2 {
+        for block in 0..Self::BLOCKS / 2 {
             let (first, second) = (self.blocks[2 * block], self.blocks[2 * block + 1]);
             self.blocks[block] = [0, 1, 2].map(|component| first[component] + second[component]);
         }
-        self.blocks[BLOCKS / 2..].fill([0.0; 3]);
-        (self.whole, self.size) = (BLOCKS / 2, self.size * 2);
-    }
-
-    /// How many.
-    #[must_use]
-    pub const fn count(&self) -> u32 {
-        self.count
+        self.blocks[Self::BLOCKS / 2..].fill([0.0; 3]);
+        (self.whole, self.size) = (Self::BLOCKS / 2, self.size * 2);
     }
 
     /// Whether this is a number of samples to stop at: 16, 24, 32, 48, 64, 96 and so on, which whole blocks make up.
     #[must_use]
-    pub(crate) const fn is_stop(&self) -> bool {
-        self.size > 1 && self.filled == 0 && self.whole.is_multiple_of(BLOCKS / 4)
+    pub const fn is_stop(&self) -> bool {
+        self.size > 1 && self.filled == 0 && self.whole.is_multiple_of(Self::BLOCKS / 4)
+    }
+
+    /// The first number to stop at that is above this one.
+    #[must_use]
+    pub const fn stop_after(count: u32) -> u32 {
+        if count < 16 {
+            return 16;
+        }
+        let power = 1 << count.ilog2();
+        let between = power + power / 2;
+        if count < between { between } else { 2 * power }
     }
 
     /// Their mean; black without any.
@@ -94,7 +102,8 @@ impl Sampled {
     }
 
     /// The same where it is known otherwise how much of the mean was dropped at most.
-    pub(crate) fn spread_with(&self, dropped: f64) -> Spread {
+    #[must_use]
+    pub fn spread_with(&self, dropped: f64) -> Spread {
         Spread {
             low: self.low.map(|value| value as f32),
             high: self.high.map(|value| value as f32),
@@ -111,7 +120,7 @@ impl Sampled {
     /// The standard error of the mean, as of that many independent blocks.
     fn error(&self, component: usize) -> f64 {
         let blocks = &self.blocks[..self.whole];
-        if blocks.len() < BLOCKS / 2 {
+        if blocks.len() < Self::BLOCKS / 2 {
             return f64::INFINITY;
         }
         let (count, size) = (blocks.len() as f64, f64::from(self.size));
@@ -176,8 +185,10 @@ mod tests {
         let mut stops = Vec::new();
         for _ in 0..200 {
             sampled.add([0.0; 3], 0.0);
-            stops.extend(sampled.is_stop().then_some(sampled.count()));
+            stops.extend(sampled.is_stop().then_some(sampled.count));
         }
         assert_eq!(stops, [16, 24, 32, 48, 64, 96, 128, 192]);
+        let next = |count: &u32| Some(Sampled::stop_after(*count)).filter(|next| *next < 200);
+        assert_eq!(std::iter::successors(next(&0), next).collect::<Vec<_>>(), stops);
     }
 }

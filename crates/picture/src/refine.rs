@@ -1,0 +1,62 @@
+//! Pixels that are sampled until somebody says that each has enough.
+
+use std::fmt;
+
+use crate::{Limits, Sampled, Spread, Stats, TraceError, Tracer, Watch, Window};
+
+/// A tracer that can tell when a pixel has enough samples.
+pub trait Refiner: Tracer {
+    /// Samples some pixels of a window, each until it has enough or has had all of the tracer's sample points or its
+    /// budget of rays. A pixel has the same samples whichever others are asked for.
+    ///
+    /// # Errors
+    /// `Cancelled` soon after the watch says stop, `Failed` when a device does.
+    fn refine(
+        &mut self,
+        window: Window,
+        limits: Limits,
+        task: &Task<'_>,
+        watch: &Watch,
+    ) -> Result<(Vec<Refined>, Stats), TraceError>;
+}
+
+/// Which pixels, and until when.
+#[derive(Clone, Copy)]
+pub struct Task<'a> {
+    /// Numbers of pixels, counted row by row within the window.
+    pub pixels: &'a [u32],
+    /// Whether a pixel, by its place among those above, has enough samples. Asked at the numbers at which
+    /// [`Sampled::is_stop`]: 16, 24, 32, 48, 64, 96 and so on.
+    pub enough: &'a (dyn Fn(usize, &Sampled) -> bool + Sync),
+    /// The most that may be left out of one sample by all its branches that are below the cut-off.
+    pub spare: f64,
+}
+
+impl fmt::Debug for Task<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Task")
+            .field("pixels", &self.pixels.len())
+            .finish_non_exhaustive()
+    }
+}
+
+/// A pixel that was sampled until it had enough.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub struct Refined {
+    /// The mean of its samples.
+    pub mean: [f64; 3],
+    /// How many there are.
+    pub samples: u32,
+    /// How far they are apart.
+    pub spread: Spread,
+}
+
+impl From<&Sampled> for Refined {
+    fn from(sampled: &Sampled) -> Self {
+        Self {
+            mean: sampled.mean(),
+            samples: sampled.count,
+            spread: sampled.spread(),
+        }
+    }
+}
