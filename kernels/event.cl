@@ -3,6 +3,28 @@
    An island that is divided into cells is followed from cell to cell. What is left of it in a cell has the very truths of the
    whole there, so both ways find the very same crossings. */
 
+/* Whether some island is more than a leaf. */
+#define COMPOUND (PRODUCTS || PROGRAMS)
+
+/* A crossing, or nothing if `leaf` is NOTHING. `leaving` tells of the leaf, not of the solid. */
+typedef struct {
+    real distance;
+    uint leaf;
+    bool leaving;
+} Hit;
+
+Hit new_hit(real distance, uint leaf, bool leaving) {
+    Hit hit;
+    hit.distance = distance;
+    hit.leaf = leaf;
+    hit.leaving = leaving;
+    return hit;
+}
+
+Hit no_hit(void) { return new_hit((real)INFINITY, NOTHING, false); }
+
+#if COMPOUND
+
 #define OPERATION_SHIFT 29
 #define COMPLEMENT 3
 #define PROGRAM_DEPTH 26
@@ -16,13 +38,6 @@
 #else
 #define IS_PRODUCT(part) ((part)->product != 0)
 #endif
-
-/* A crossing, or nothing if `leaf` is NOTHING. `leaving` tells of the leaf, not of the solid. */
-typedef struct {
-    real distance;
-    uint leaf;
-    bool leaving;
-} Hit;
 
 /* The intervals of one part's members along one ray: kept where there is room, else computed anew each time. */
 typedef struct {
@@ -43,14 +58,6 @@ typedef struct {
     bool inside, held, settled;
     Hit behind;
 } March;
-
-Hit no_hit(void) {
-    Hit hit;
-    hit.distance = (real)INFINITY;
-    hit.leaf = NOTHING;
-    hit.leaving = false;
-    return hit;
-}
 
 uint member_leaf(const Crossings *crossings, uint member) {
     return crossings->scene->members[crossings->part->members + member];
@@ -130,11 +137,7 @@ bool holds(const Crossings *crossings, real distance) {
 }
 
 Hit member_hit(const Crossings *crossings, uint member, real distance) {
-    Hit hit;
-    hit.distance = distance;
-    hit.leaf = member_leaf(crossings, member);
-    hit.leaving = member_interval(crossings, member).leave == distance;
-    return hit;
+    return new_hit(distance, member_leaf(crossings, member), member_interval(crossings, member).leave == distance);
 }
 
 /* The crossing of a distance where a product changes: all members that change do so in the same direction. */
@@ -395,3 +398,4 @@ Hit change(const Scene *scene, __global const Island *island, const Ray *ray, re
     Hit hit = follow(&crossings, &march, until);
     return hit.leaf != NOTHING ? hit : finish(&march);
 }
+#endif

@@ -11,7 +11,15 @@ typedef struct {
     __global const Cell *cells;
     __global const uint *program;
     __global const uint *members;
+#if EIGHTS
+    __global const WideNode *wide;
+    __global const Block *blocks;
+    __global const uint *runs;
+    __global const uint *starts;
+    uint starts_count;
+#else
     __global const Node *nodes;
+#endif
     __global const Material *materials;
     __global const Light *lights;
 #if TOUCHES

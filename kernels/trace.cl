@@ -24,15 +24,26 @@ Ray camera_ray(__global const Frame *frame, uint column, uint row, real right, r
     return ray;
 }
 
+/* What a ray finds islands by. */
+#if EIGHTS
+#define HIERARCHY_PARAMETERS                                                                                           \
+    __global const WideNode *wide, __global const Block *blocks, __global const uint *runs,                            \
+        __global const uint *starts, uint starts_count
+#define HIERARCHY_ARGUMENTS wide, blocks, runs, starts, starts_count
+#else
+#define HIERARCHY_PARAMETERS __global const Node *nodes
+#define HIERARCHY_ARGUMENTS nodes
+#endif
+
 /* What every entry point is given of the scene, in the order in which the host gives it. */
 #define SCENE_PARAMETERS                                                                                               \
     __global const Frame *frame, __global const Shape *shapes, __global const Leaf *leaves,                            \
         __global const Island *islands, __global const Cell *cells, __global const uint *program,                      \
-        __global const uint *members, __global const Node *nodes, __global const Material *materials,                  \
+        __global const uint *members, HIERARCHY_PARAMETERS, __global const Material *materials,                        \
         __global const Light *lights, __global const Touch *touches, __global const real *samples,                     \
         __global const real *reach
 #define SCENE_ARGUMENTS                                                                                                \
-    frame, shapes, leaves, islands, cells, program, members, nodes, materials, lights, touches, samples, reach
+    frame, shapes, leaves, islands, cells, program, members, HIERARCHY_ARGUMENTS, materials, lights, touches, samples, reach
 
 Scene scene_of(SCENE_PARAMETERS) {
     Scene scene;
@@ -43,7 +54,15 @@ Scene scene_of(SCENE_PARAMETERS) {
     scene.cells = cells;
     scene.program = program;
     scene.members = members;
+#if EIGHTS
+    scene.wide = wide;
+    scene.blocks = blocks;
+    scene.runs = runs;
+    scene.starts = starts;
+    scene.starts_count = starts_count;
+#else
     scene.nodes = nodes;
+#endif
     scene.materials = materials;
     scene.lights = lights;
 #if TOUCHES

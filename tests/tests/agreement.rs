@@ -9,7 +9,7 @@
 )]
 
 use scenec_cpu::Cpu;
-use scenec_device::{DeviceInfo, Precision, tracer};
+use scenec_device::{DeviceInfo, Precision, suited, tracer};
 use scenec_picture::{Frame, Limits, Tracer, Window};
 use scenec_plan::{Features, Plan, plan};
 use scenec_reference::Reference;
@@ -72,7 +72,7 @@ impl Judge {
 
     fn on_device(&self, info: &DeviceInfo) {
         let general = Features::generic(&self.plan);
-        let special = Features::of(&self.plan);
+        let special = suited(info, Features::of(&self.plan));
         let run = |precision, features, tolerance| {
             self.check(&mut *tracer(info, &self.plan, precision, features).unwrap(), tolerance)
         };

@@ -32,13 +32,14 @@ fn features(bits: u32) -> Features {
         supersampling: on(11),
         distances: on(16),
         spread: on(17),
+        eights: on(18),
         waiting: if on(9) { 4 } else { 1 },
         members: if on(12) { 16 } else { 0 },
     }
 }
 
 /// Switches in the table above.
-const SWITCHES: u32 = 18;
+const SWITCHES: u32 = 19;
 
 /// Sets of switches in which every two of them take all four states together; so does each alone.
 fn covering_sets() -> Vec<u32> {
@@ -104,6 +105,7 @@ fn with(own: Features, set: Features) -> Features {
         supersampling: own.supersampling || set.supersampling,
         distances: own.distances || set.distances,
         spread: own.spread || set.spread,
+        eights: own.eights || set.eights,
         waiting: own.waiting.max(set.waiting),
         // Without room, members are computed anew, which serves any plan.
         members: if set.members == 0 {

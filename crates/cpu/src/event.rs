@@ -33,7 +33,7 @@ pub(crate) fn entered<R: Real>(
     until: R,
     intervals: &mut Vec<Interval<R>>,
 ) -> Option<Hit<R>> {
-    let Some(leaf) = lone(scene, island) else {
+    let Some(leaf) = scene.lone(island) else {
         return change(scene, island, ray, (R::ZERO, until), false, intervals).0;
     };
     entered_leaf(scene, leaf, ray, until)
@@ -68,7 +68,7 @@ pub(crate) fn left<R: Real>(
     from: R,
     intervals: &mut Vec<Interval<R>>,
 ) -> Option<Hit<R>> {
-    if let Some(leaf) = lone(scene, island) {
+    if let Some(leaf) = scene.lone(island) {
         return left_leaf(scene, leaf, ray, from);
     }
     let (hit, held) = change(scene, island, ray, (from, R::INFINITY), true, intervals);
@@ -89,14 +89,6 @@ pub(crate) fn left_leaf<R: Real>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>, fro
         leaf,
         leaving: true,
     })
-}
-
-/// The leaf of an island that is nothing else, as most islands are.
-#[inline(always)]
-pub(crate) fn lone<R>(scene: &Packed<R>, island: &Island) -> Option<u32> {
-    // A complement stands under an operation of its own.
-    let alone = island.program_end - island.program == 1 && scene.program[island.program as usize] == 0;
-    alone.then(|| scene.members[island.members as usize])
 }
 
 /// The first change of an island after the first distance and not after the second, of a ray that is inside (or not) to

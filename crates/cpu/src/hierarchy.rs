@@ -1,16 +1,15 @@
 //! Where a ray crosses the surface of the whole solid, the union of all islands.
 
 use fearless_simd::Simd;
-use scenec_plan::packed_structs::Island;
+use scenec_plan::packed_structs::{Block, Island};
 
-use crate::balls::Line;
+use crate::balls::{Line, entries, near, of_class};
 use crate::event::{Hit, entered, entered_leaf, left, left_leaf};
 use crate::lanes::{Lanes, Set};
 use crate::ray::Ray;
 use crate::shape::Interval;
 use crate::stage::Stage;
 use crate::walk::{Visitor, Waiting, walk};
-use crate::wide::Block;
 
 /// Room that one thread uses again and again.
 pub(crate) struct Scratch<R> {
@@ -142,7 +141,7 @@ impl<R: Lanes, S: Simd> Visitor<R, S> for Nearest<'_, R, S> {
 
     #[inline(always)]
     fn block(&mut self, line: &Line<R, S>, block: &Block<R>) -> bool {
-        if let Some(entries) = block.entries(line, self.ray, self.until) {
+        if let Some(entries) = entries(block, line, self.ray, self.until) {
             for lane in entries.lanes {
                 self.keep(Hit {
                     distance: entries.distance[lane],
@@ -189,7 +188,7 @@ impl<R: Lanes, S: Simd> Visitor<R, S> for Any<'_, R, S> {
                 let hit = entered_leaf(self.stage.scene, block.leaf[lane], self.ray, until);
                 self.found = self.found || hit.is_some_and(|hit| hit.distance < until);
             }
-        } else if let Some(entries) = block.entries(line, self.ray, until) {
+        } else if let Some(entries) = entries(block, line, self.ray, until) {
             for lane in entries.lanes {
                 self.found = self.found || entries.distance[lane] < until;
             }
@@ -243,7 +242,7 @@ impl<R: Lanes, S: Simd> Visitor<R, S> for Farthest<'_, R, S> {
         let lanes = if self.ray.end.is_touching() {
             block.there
         } else {
-            block.near(line).0 | block.of_class(self.ray.class) & block.there
+            near(block, line).0 | of_class(block, self.ray.class) & block.there
         };
         let mut enough = false;
         for lane in Set(lanes) {

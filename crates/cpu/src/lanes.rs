@@ -4,10 +4,8 @@
 //! for any processor, and where one of them is not made part of its caller, each operation in it is a call.
 
 use fearless_simd::{Simd, SimdBase, SimdFloat, SimdFloatElement, SimdMask, f32x8, f64x8};
+pub(crate) use scenec_plan::LANES;
 use scenec_plan::Real;
-
-/// How many.
-pub(crate) const LANES: usize = 8;
 
 /// A number that comes in eights.
 pub(crate) trait Lanes: Real + SimdFloatElement {

@@ -18,7 +18,6 @@ mod shape;
 mod stage;
 mod vector;
 mod walk;
-mod wide;
 
 use rayon::ThreadPool;
 use rayon::prelude::*;

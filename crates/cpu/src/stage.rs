@@ -2,9 +2,7 @@
 
 use std::ops::{Deref, DerefMut};
 
-use scenec_plan::{Packed, Plan, Real};
-
-use crate::wide::Wide;
+use scenec_plan::{Packed, Plan, Real, Wide};
 
 /// A plan as this tracer reads it. It stands for the packed plan wherever that is meant.
 pub(crate) struct Prepared<R> {

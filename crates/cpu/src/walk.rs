@@ -1,14 +1,13 @@
 //! The way of one ray through the wide hierarchy.
 
 use fearless_simd::{Simd, SimdBase};
-use scenec_plan::Real;
-use scenec_plan::packed_structs::Island;
+use scenec_plan::packed_structs::{Block, Island, WideNode};
+use scenec_plan::{Child, Kind, Real};
 
 use crate::balls::Line;
 use crate::lanes::{Lanes, Set, Vector8, bits, splat, splat3};
 use crate::ray::Ray;
 use crate::stage::Stage;
-use crate::wide::{Block, Child, Kind, WideNode};
 
 /// Children that wait, each with the distance at which the ray enters it.
 pub(crate) type Waiting<R> = Vec<(R, Child)>;

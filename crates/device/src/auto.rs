@@ -63,6 +63,16 @@ pub fn features(nanoseconds: f64, info: &DeviceInfo, precision: Precision, plan:
     own
 }
 
+/// The same features in the way that suits a device: eight boxes and eight balls at a time make a processor's vectors, and
+/// nothing else does, while a GPU makes its own of neighbouring rays.
+#[must_use]
+pub fn suited(info: &DeviceInfo, features: Features) -> Features {
+    Features {
+        eights: features.hierarchy && info.kind == DeviceKind::Cpu,
+        ..features
+    }
+}
+
 /// Whether a program for one scene saves more than compiling it takes.
 fn pays(nanoseconds: f64, known: &Known) -> bool {
     GENERIC * nanoseconds / known.gain > known.compiling

@@ -8,9 +8,9 @@ use std::env;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::process;
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, SystemTime};
-
-use scenec_picture::write_whole;
 
 pub(crate) use hash::Hash;
 
@@ -115,10 +115,15 @@ fn write(folder: &Path, path: &Path, key: Hash, bytes: &[u8]) -> io::Result<()> 
     head.extend_from_slice(&key.value().to_le_bytes());
     head.extend_from_slice(&(bytes.len() as u64).to_le_bytes());
     head.extend_from_slice(&Hash::of(&[bytes]).value().to_le_bytes());
-    write_whole(path, |out| {
-        out.write_all(&head)?;
-        out.write_all(bytes)
-    })
+    // Under its own name when it is whole. Nobody waits for the disk: what a power cut leaves of it fails its checksum.
+    static TURN: AtomicU32 = AtomicU32::new(0);
+    let turn = TURN.fetch_add(1, Ordering::Relaxed);
+    let part = path.with_extension(format!("{}-{turn}.part", process::id()));
+    let mut out = File::create(&part)?;
+    out.write_all(&head)
+        .and_then(|()| out.write_all(bytes))
+        .and_then(|()| fs::rename(&part, path))
+        .or_else(|error| fs::remove_file(&part).and(Err(error)))
 }
 
 /// The bytes of an entry, if all of them are there and unharmed: drivers have been seen to end the process over half a

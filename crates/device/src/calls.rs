@@ -36,7 +36,10 @@ macro_rules! plain_structs {
     };
 }
 
-plain_structs! { Shape<R>, Leaf, Island, Cell, Node, Material<R>, Light<R>, Touch<R>, Outcome<R>, Sampled<R>, Frame<R>, }
+plain_structs! { Shape<R>, Leaf, Island, Cell, Node, WideNode, Block<R>, Material<R>, Light<R>, Touch<R>, Outcome<R>, Sampled<R>, Frame<R>, }
+
+// SAFETY: one word without a niche.
+unsafe impl Plain for scenec_plan::Child {}
 
 /// Elements as bytes.
 pub(crate) fn bytes<T: Plain>(items: &[T]) -> &[u8] {

@@ -15,12 +15,13 @@ mod pace;
 mod program;
 mod refine;
 mod sampled;
+mod scene;
 mod select;
 mod session;
 mod tracer;
 
 pub use assemble::{Precision, options, probe, source};
-pub use auto::{Verdict, auto, features, worth_asking};
+pub use auto::{Verdict, auto, features, suited, worth_asking};
 pub use buffer::{Arg, Buffer};
 pub use cache::cache_folder;
 pub use calls::Plain;

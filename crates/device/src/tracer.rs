@@ -4,21 +4,24 @@ use std::time::Instant;
 
 use scenec_picture::{Exact, Frame, NOTHING, Picture, Refiner, Request, Spread, Stats, TraceError, Tracer};
 use scenec_plan::packed_structs::{self, Outcome, Sampled};
-use scenec_plan::{Features, Packed, Plan, Real, in_doubles, in_singles};
+use scenec_plan::{Features, Plan, Real, in_doubles, in_singles};
 
 use crate::assemble::{Precision, options, relaxed_options, source};
 use crate::buffer::{Arg, Buffer};
 use crate::calls::Plain;
 use crate::error::DeviceError;
-use crate::info::DeviceInfo;
+use crate::info::{DeviceInfo, DeviceKind};
 use crate::known;
 use crate::pace::{LEAST, Pace, Run};
 use crate::program::Program;
 use crate::sampled::in_picture;
+use crate::scene::Scene;
 use crate::session::Session;
 
 /// The most pixels of one run of the kernel: enough to fill any device.
 const MOST_PIXELS: usize = 1 << 18;
+/// The same of a processor: what comes of them stays in its cache until it is read, and its memory is not all new.
+const MOST_PIXELS_OF_PROCESSOR: usize = 1 << 16;
 
 /// Opens a device and prepares to trace a plan on it, with the kernels' parts that `features` name.
 ///
@@ -85,41 +88,6 @@ pub(crate) struct OpenCl<R> {
     scene: Scene<R>,
 }
 
-/// The plan in the device's memory.
-struct Scene<R> {
-    shapes: Buffer<packed_structs::Shape<R>>,
-    leaves: Buffer<packed_structs::Leaf>,
-    islands: Buffer<packed_structs::Island>,
-    cells: Buffer<packed_structs::Cell>,
-    program: Buffer<u32>,
-    members: Buffer<u32>,
-    nodes: Buffer<packed_structs::Node>,
-    materials: Buffer<packed_structs::Material<R>>,
-    lights: Buffer<packed_structs::Light<R>>,
-    touches: Buffer<packed_structs::Touch<R>>,
-    samples: Buffer<[R; 2]>,
-    reach: Buffer<R>,
-}
-
-impl<R: Real + Plain> Scene<R> {
-    fn upload(session: &Session, packed: &Packed<R>) -> Result<Self, DeviceError> {
-        Ok(Self {
-            shapes: session.upload(&packed.shapes)?,
-            leaves: session.upload(&packed.leaves)?,
-            islands: session.upload(&packed.islands)?,
-            cells: session.upload(&packed.cells)?,
-            program: session.upload(&packed.program)?,
-            members: session.upload(&packed.members)?,
-            nodes: session.upload(&packed.nodes)?,
-            materials: session.upload(&packed.materials)?,
-            lights: session.upload(&packed.lights)?,
-            touches: session.upload(&packed.touches)?,
-            samples: session.upload(&packed.samples)?,
-            reach: session.upload(&packed.reach)?,
-        })
-    }
-}
-
 impl<R: Real + Plain> OpenCl<R> {
     fn new(
         info: &DeviceInfo,
@@ -136,7 +104,7 @@ impl<R: Real + Plain> OpenCl<R> {
             Math::Relaxed => relaxed_options(),
         };
         let program = session.build(&source(precision, features), &options)?;
-        let scene = Scene::upload(&session, &packed)?;
+        let scene = Scene::upload(&session, &packed, features)?;
         if math == Math::Strict {
             let starting = begin.elapsed().saturating_sub(program.compiled().unwrap_or_default());
             known::remember_start(info, precision, starting, program.compiled());
@@ -162,24 +130,9 @@ impl<R: Real + Plain> OpenCl<R> {
         more: &[Arg<'_>],
         size: [u32; 2],
     ) -> Result<u64, DeviceError> {
-        let scene = &self.scene;
-        let scene: [Arg<'_>; 13] = [
-            frame.into(),
-            (&scene.shapes).into(),
-            (&scene.leaves).into(),
-            (&scene.islands).into(),
-            (&scene.cells).into(),
-            (&scene.program).into(),
-            (&scene.members).into(),
-            (&scene.nodes).into(),
-            (&scene.materials).into(),
-            (&scene.lights).into(),
-            (&scene.touches).into(),
-            (&scene.samples).into(),
-            (&scene.reach).into(),
-        ];
-        self.session
-            .run(&self.program, kernel, &[scene.as_slice(), more].concat(), size)
+        let mut args = self.scene.args(frame);
+        args.extend_from_slice(more);
+        self.session.run(&self.program, kernel, &args, size)
     }
 
     /// Runs some samples of a tile.
@@ -199,7 +152,11 @@ impl<R: Real + Plain> OpenCl<R> {
 
     /// Room for a tile: of so many pixels, or of as many as the device has memory for.
     fn room(&self, pixels: usize) -> Result<Room<R>, DeviceError> {
-        let mut pixels = pixels.clamp(LEAST, MOST_PIXELS);
+        let most = match self.session.device().kind {
+            DeviceKind::Cpu => MOST_PIXELS_OF_PROCESSOR,
+            _ => MOST_PIXELS,
+        };
+        let mut pixels = pixels.clamp(LEAST, most);
         loop {
             let sums = self.session.zeros(if self.spread { pixels } else { 1 });
             let room = self

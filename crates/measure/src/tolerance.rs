@@ -1,7 +1,7 @@
 //! A picture to a tolerance: each pixel gets as many samples, and loses as many faint branches, as its bound allows.
 
 use scenec_cpu::Cpu;
-use scenec_device::{DeviceInfo, Precision, refiner};
+use scenec_device::{DeviceInfo, Precision, refiner, suited};
 use scenec_picture::{
     Limits, Picture, Refined, Refiner, Sampled, Stats, Task, TooManyPixels, TraceError, Watch, Window,
 };
@@ -150,7 +150,7 @@ impl Tolerance<'_> {
             (Sampler::OpenCl(info), precision) => {
                 let features = Features {
                     spread: true,
-                    ..Features::of(plan)
+                    ..suited(info, Features::of(plan))
                 };
                 let refiner = refiner(info, plan, precision, &features);
                 refiner.map_err(|error| TraceError::Failed(error.to_string()))?

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use scenec_cpu::Cpu;
-use scenec_device::{Precision, relaxed_tracer, tracer};
+use scenec_device::{Precision, relaxed_tracer, suited, tracer};
 use scenec_picture::{Frame, Layers, Request, TraceError, Tracer, Watch, Window};
 use scenec_plan::{Features, Plan, plan};
 use scenec_scene::Scene;
@@ -53,9 +53,9 @@ fn tracer_of(setting: &Setting, plan: &Plan) -> Result<Box<dyn Tracer>, TraceErr
         (Machine::Cpu, Precision::F32) => Ok(Box::new(Cpu::<f32>::new(plan, 0)?)),
         (Machine::Cpu, Precision::F64) => Ok(Box::new(Cpu::<f64>::new(plan, 0)?)),
         (Machine::OpenCl { device, program }, precision) => match program {
-            Program::Made => tracer(device, plan, precision, &Features::of(plan)),
+            Program::Made => tracer(device, plan, precision, &suited(device, Features::of(plan))),
             Program::General => tracer(device, plan, precision, &Features::generic(plan)),
-            Program::FastMath => relaxed_tracer(device, plan, &Features::of(plan)),
+            Program::FastMath => relaxed_tracer(device, plan, &suited(device, Features::of(plan))),
         }
         .map_err(|error| TraceError::Failed(error.to_string())),
     }

@@ -23,6 +23,8 @@ pub struct Features {
     pub cells: bool,
     /// There is a hierarchy.
     pub hierarchy: bool,
+    /// The hierarchy is read with eight boxes to a node and eight balls to a leaf, as suits processors.
+    pub eights: bool,
     /// There are lights, hence shadow rays.
     pub lights: bool,
     /// Some light lies on a surface.
@@ -78,6 +80,7 @@ impl Features {
             programs: plan.islands.iter().any(|island| !island.product) || plan.parts.iter().any(|part| !part.product),
             cells: !plan.cells.is_empty(),
             hierarchy: !plan.nodes.is_empty(),
+            eights: false,
             lights: !plan.lights.is_empty(),
             touches: !plan.touches.is_empty(),
             highlights: !plan.lights.is_empty() && any_material(|material| material.specular != 0.0),
@@ -113,6 +116,7 @@ impl Features {
             programs: true,
             cells: true,
             hierarchy: true,
+            eights: false,
             lights: true,
             touches: true,
             highlights: true,
@@ -130,7 +134,7 @@ impl Features {
 
     /// Names and values for a kernel's source, and for people.
     #[must_use]
-    pub fn list(&self) -> [(&'static str, u32); 21] {
+    pub fn list(&self) -> [(&'static str, u32); 22] {
         [
             ("BALLS", self.balls.into()),
             ("ELLIPSOIDS", self.ellipsoids.into()),
@@ -139,6 +143,7 @@ impl Features {
             ("PROGRAMS", self.programs.into()),
             ("CELLS", self.cells.into()),
             ("HIERARCHY", self.hierarchy.into()),
+            ("EIGHTS", self.eights.into()),
             ("LIGHTS", self.lights.into()),
             ("TOUCHES", self.touches.into()),
             ("HIGHLIGHTS", self.highlights.into()),

@@ -1,5 +1,7 @@
 //! What the structs that tracers share look like to the kernels' side.
 
+use crate::wide::Child;
+
 /// What a field is made of.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum FieldKind {
@@ -81,7 +83,14 @@ impl Describe for u32 {
     const KIND: FieldKind = FieldKind::Uint;
 }
 
+impl Describe for Child {
+    const KIND: FieldKind = FieldKind::Uint;
+}
+
 impl<T: Describe, const N: usize> Describe for [T; N] {
     const KIND: FieldKind = T::KIND;
-    const COUNT: Option<usize> = Some(N);
+    const COUNT: Option<usize> = Some(match T::COUNT {
+        Some(count) => N * count,
+        None => N,
+    });
 }

@@ -26,6 +26,7 @@ mod standpoint;
 mod summary;
 mod terms;
 mod uses;
+mod wide;
 
 use std::fmt;
 
@@ -43,6 +44,7 @@ pub use real::{Real, in_doubles, in_singles};
 pub use shapes::{Shape, ShapeKind};
 pub use standpoint::{Foothold, Standpoint};
 pub use summary::{Dropped, Reason, Summary, Tiers};
+pub use wide::{Child, Kind, LANES, Wide};
 
 /// The deepest hierarchy that a plan may hold: a traversal waits with at most this many nodes.
 pub const HIERARCHY_DEPTH: usize = bvh::MAX_DEPTH;

@@ -5,6 +5,7 @@
 
 use crate::layout::{Describe, Field, Layout, Number};
 use crate::shapes::ShapeKind;
+use crate::wide::{Child, LANES};
 use crate::{Plan, Real};
 
 macro_rules! packed {
@@ -13,6 +14,8 @@ macro_rules! packed {
     })+) => {
         /// The structs that the tracers share.
         pub mod packed_structs {
+            use super::{Child, LANES};
+
             $(
                 $(#[$doc])+
                 #[derive(Clone, Copy, PartialEq, Debug, Default)]
@@ -112,6 +115,34 @@ packed! {
         first: u32,
         /// How many islands; 0 for an inner node.
         count: u32,
+    }
+    /// Eight boxes and what is in them. A box that is not there has its corners the wrong way round, and no ray meets it.
+    #[repr(align(64))]
+    WideNode {
+        /// Lower and then upper corners: by axis, then by child.
+        bounds: [[[f32; LANES]; 3]; 2],
+        /// What is in the boxes.
+        children: [Child; LANES],
+        /// Fills up a processor's lines of memory.
+        unused: [u32; 8],
+    }
+    /// Up to eight balls.
+    #[repr(align(32))]
+    Block<R> {
+        /// Where they are: by axis, then by ball.
+        centre: [[R; LANES]; 3],
+        /// 1 / radius.
+        inverse: [R; LANES],
+        /// The square of the radius and a thousandth more.
+        reach: [R; LANES],
+        /// Their leaves.
+        leaf: [u32; LANES],
+        /// Their classes.
+        class: [u32; LANES],
+        /// A bit for each ball that is there.
+        there: u32,
+        /// Fills up a processor's lines of memory.
+        unused: [u32; 7],
     }
     /// What a surface is made of.
     Material<R> {

@@ -1,8 +1,8 @@
 //! Islands, parts and cells as a tracer reads them: parts stand behind the islands, and cells name them there.
 
-use crate::Plan;
 use crate::cells::CELL_PART;
 use crate::packed::packed_structs::{Cell, Island};
+use crate::{Packed, Plan};
 
 impl Plan {
     pub(crate) fn packed_islands(&self) -> Vec<Island> {
@@ -36,5 +36,16 @@ impl Plan {
             ..*cell
         };
         self.cells.iter().map(numbered).collect()
+    }
+}
+
+impl<R> Packed<R> {
+    /// The leaf of an island that is nothing else, as most islands are.
+    #[inline(always)]
+    #[must_use]
+    pub fn lone(&self, island: &Island) -> Option<u32> {
+        // A complement stands under an operation of its own.
+        let alone = island.program_end - island.program == 1 && self.program[island.program as usize] == 0;
+        alone.then(|| self.members[island.members as usize])
     }
 }

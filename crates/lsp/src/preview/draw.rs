@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::io::Cursor;
 use std::time::Instant;
 
-use scenec_device::{DeviceInfo, Precision};
+use scenec_device::{DeviceInfo, Precision, suited};
 use scenec_picture::{
     Encoding, Format, Frame, Layers, Limits, NOTHING, Picture, Request, TraceError, Watch, Window, encode,
 };
@@ -180,7 +180,7 @@ fn on_device(
     let begin = Instant::now();
     let mut plan = drawing.plan.clone();
     plan.view.samples.truncate(grain.samples as usize);
-    let mut tracer = scenec_device::tracer(info, &plan, precision, &Features::of(&plan))
+    let mut tracer = scenec_device::tracer(info, &plan, precision, &suited(info, Features::of(&plan)))
         .map_err(|error| TraceError::Failed(error.to_string()))?;
     if drawing.watch.stopped() {
         return Err(TraceError::Cancelled);

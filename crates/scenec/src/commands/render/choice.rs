@@ -1,7 +1,7 @@
 //! What is to compute: what was asked for, and what serves best where nothing was.
 
 use clap::Args;
-use scenec_device::{DeviceInfo, Precision, Verdict, auto, discover, features, is_opencl, select};
+use scenec_device::{DeviceInfo, Precision, Verdict, auto, discover, features, is_opencl, select, suited};
 use scenec_measure::Sampler;
 use scenec_plan::{Features, Plan};
 
@@ -145,11 +145,12 @@ impl MachineOptions {
         precision: Precision,
         nanoseconds: f64,
     ) -> Features {
-        if self.device == Choice::Auto && !self.generic {
+        let features = if self.device == Choice::Auto && !self.generic {
             features(nanoseconds, info, precision, plan)
         } else {
             self.features(plan)
-        }
+        };
+        suited(info, features)
     }
 
     /// What computes a picture that takes the built-in tracer so many nanoseconds; no device is a built-in tracer.

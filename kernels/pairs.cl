@@ -1,7 +1,9 @@
-/* Where a ray crosses the surface of the whole solid, the union of all islands.
+/* What a ray meets of all islands, one at a time.
 
    A cursor hands out the islands whose box the ray meets between `from` and `until`, near ones first; its user may lower
    `until` on the way. */
+
+#if !EIGHTS
 
 typedef struct {
     real from, until;
@@ -95,82 +97,37 @@ __global const Island *next_island(const Scene *scene, const Ray *ray, Cursor *c
     return scene->islands + cursor->index++;
 }
 
-/* From outside: a union is entered where the first of its parts is; of two at the same distance the left one owns. */
-Hit enter_solid(const Scene *scene, const Ray *ray) {
+Hit nearest_entry(const Scene *scene, const Ray *ray) {
     Hit nearest = no_hit();
     Cursor cursor = start_cursor(scene, ray, 0, (real)INFINITY);
     for (__global const Island *island = next_island(scene, ray, &cursor); island;
          island = next_island(scene, ray, &cursor)) {
-        bool held;
-        Hit hit = change(scene, island, ray, 0, cursor.until, false, &held);
-        if (hit.leaf != NOTHING &&
-            (hit.distance < nearest.distance || (hit.distance == nearest.distance && hit.leaf < nearest.leaf))) {
-            cursor.until = hit.distance;
-            nearest = hit;
-        }
+        nearest = nearer(nearest, entered(scene, island, ray, cursor.until));
+        cursor.until = nearest.distance;
     }
     return nearest;
 }
 
 #if INSIDE
-/* From inside: a union is left where a point is reached that no part holds. Each round goes to the farthest end among the
-   parts that hold the point reached so far. */
-Hit leave_solid(const Scene *scene, const Ray *ray) {
-    Hit reached = no_hit();
-    real at = 0;
-    for (;;) {
-        Hit farthest = no_hit();
-        Cursor cursor = start_cursor(scene, ray, at, at);
-        for (__global const Island *island = next_island(scene, ray, &cursor); island;
-             island = next_island(scene, ray, &cursor)) {
-            bool held;
-            Hit hit = change(scene, island, ray, at, (real)INFINITY, true, &held);
-            if (!held)
-                continue;
-            if (hit.leaf == NOTHING)
-                return hit;
-            if (farthest.leaf == NOTHING || hit.distance > farthest.distance ||
-                (hit.distance == farthest.distance && hit.leaf < farthest.leaf))
-                farthest = hit;
-        }
-        if (farthest.leaf != NOTHING) {
-            reached = farthest;
-        } else if (reached.leaf != NOTHING) {
-            return reached;
-        } else {
-            /* No part holds the start, which lies within rounding of the surface: on to where the solid begins. */
-            reached = enter_solid(scene, ray);
-            if (reached.leaf == NOTHING)
-                return reached;
-        }
-        at = reached.distance;
-    }
+Hit farthest_end(const Scene *scene, const Ray *ray, real at) {
+    Hit farthest = no_hit();
+    Cursor cursor = start_cursor(scene, ray, at, at);
+    for (__global const Island *island = next_island(scene, ray, &cursor); island && !is_endless(farthest);
+         island = next_island(scene, ray, &cursor))
+        farthest = farther(farthest, left(scene, island, ray, at));
+    return farthest;
 }
 #endif
-
-/* The first crossing of the solid's surface. */
-Hit first_crossing(const Scene *scene, const Ray *ray) {
-#if INSIDE
-    if (ray->inside)
-        return leave_solid(scene, ray);
-#endif
-    return enter_solid(scene, ray);
-}
 
 #if LIGHTS
-/* Whether the ray crosses the surface before `until`. */
-bool blocked(const Scene *scene, const Ray *ray, real until) {
-#if INSIDE
-    if (ray->inside)
-        return leave_solid(scene, ray).distance < until;
-#endif
+bool entered_before(const Scene *scene, const Ray *ray, real until) {
     Cursor cursor = start_cursor(scene, ray, 0, until);
     for (__global const Island *island = next_island(scene, ray, &cursor); island;
-         island = next_island(scene, ray, &cursor)) {
-        bool held;
-        if (change(scene, island, ray, 0, until, false, &held).distance < until)
+         island = next_island(scene, ray, &cursor))
+        if (entered(scene, island, ray, until).distance < until)
             return true;
-    }
     return false;
 }
+#endif
+
 #endif

@@ -1,36 +1,12 @@
-//! The hierarchy as this tracer reads it: eight children to a node and eight balls to a leaf, each tested together.
+//! The hierarchy as processors read it: eight children to a node and eight balls to a leaf, each tested together.
 //!
-//! It is made from the plan's hierarchy of pairs, which devices read, by taking the largest of a node's grandchildren in.
+//! It is made from the plan's hierarchy of pairs, which GPUs read, by taking the largest of a node's grandchildren in.
 
-use scenec_plan::packed_structs::{Island, Node};
-use scenec_plan::{Packed, Real};
+use crate::packed::packed_structs::{Block, Island, Node, WideNode};
+use crate::{Packed, Real};
 
-use crate::event::lone;
-use crate::lanes::LANES;
-
-/// Eight boxes and what is in them. A box that is not there has its corners the wrong way round, and no ray meets it.
-#[derive(Clone, Copy, Debug)]
-#[repr(C, align(64))]
-pub(crate) struct WideNode {
-    /// Lower and then upper corners: by axis, then by child.
-    pub(crate) bounds: [[[f32; LANES]; 3]; 2],
-    pub(crate) children: [Child; LANES],
-}
-
-/// Up to eight balls.
-#[derive(Clone, Copy, Debug)]
-#[repr(C, align(64))]
-pub(crate) struct Block<R> {
-    pub(crate) centre: [[R; LANES]; 3],
-    /// 1 / radius.
-    pub(crate) inverse: [R; LANES],
-    /// The square of the radius and a thousandth more.
-    pub(crate) reach: [R; LANES],
-    pub(crate) leaf: [u32; LANES],
-    pub(crate) class: [u32; LANES],
-    /// A bit for each ball that is there.
-    pub(crate) there: u32,
-}
+/// How many boxes or balls stand together.
+pub const LANES: usize = 8;
 
 impl<R: Real> Block<R> {
     const EMPTY: Self = Self {
@@ -40,16 +16,20 @@ impl<R: Real> Block<R> {
         leaf: [u32::MAX; LANES],
         class: [u32::MAX; LANES],
         there: 0,
+        unused: [0; 7],
     };
 }
 
 /// Where a child is, in one word: what it is in the two upper bits, its number below.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct Child(u32);
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+#[repr(transparent)]
+pub struct Child(pub(crate) u32);
 
 /// What a child is.
-pub(crate) enum Kind {
+pub enum Kind {
+    /// A node, by its number.
     Node(usize),
+    /// A block, by its number.
     Block(usize),
     /// Some islands, by the number of their run.
     Run(usize),
@@ -63,8 +43,10 @@ impl Child {
         Self(kind << Self::SHIFT | index as u32)
     }
 
+    /// What it is, and its number.
     #[inline(always)]
-    pub(crate) const fn kind(self) -> Kind {
+    #[must_use]
+    pub const fn kind(self) -> Kind {
         let index = (self.0 & ((1 << Self::SHIFT) - 1)) as usize;
         match self.0 >> Self::SHIFT {
             0 => Kind::Node(index),
@@ -76,20 +58,24 @@ impl Child {
 
 /// The islands of a plan, arranged.
 #[derive(Clone, Debug)]
-pub(crate) struct Wide<R> {
-    pub(crate) nodes: Vec<WideNode>,
-    pub(crate) blocks: Vec<Block<R>>,
+pub struct Wide<R> {
+    /// Nodes.
+    pub nodes: Vec<WideNode>,
+    /// Blocks.
+    pub blocks: Vec<Block<R>>,
     /// First and one past the last of some islands that are not all balls.
-    pub(crate) runs: Vec<[u32; 2]>,
+    pub runs: Vec<[u32; 2]>,
     /// What every ray has to try: the islands outside the hierarchy, and its root.
-    pub(crate) start: Vec<Child>,
+    pub start: Vec<Child>,
 }
 
 /// With fewer balls than this outside the hierarchy they are tried one by one.
 const FEW: usize = 4;
 
 impl<R: Real> Wide<R> {
-    pub(crate) fn new(packed: &Packed<R>) -> Self {
+    /// The islands of a plan, in eights.
+    #[must_use]
+    pub fn new(packed: &Packed<R>) -> Self {
         let mut builder = Builder {
             packed,
             weights: weights(packed),
@@ -148,7 +134,7 @@ fn islands<'a, R>(packed: &'a Packed<R>, node: &Node) -> &'a [Island] {
 
 /// The leaf of an island that is one ball.
 fn ball<R: Real>(packed: &Packed<R>, island: &Island) -> Option<u32> {
-    let leaf = lone(packed, island)?;
+    let leaf = packed.lone(island)?;
     (packed.shapes[packed.leaves[leaf as usize].shape as usize].kind == 0).then_some(leaf)
 }
 
@@ -290,6 +276,7 @@ impl WideNode {
     const EMPTY: Self = Self {
         bounds: [[[f32::INFINITY; LANES]; 3], [[f32::NEG_INFINITY; LANES]; 3]],
         children: [Child::NONE; LANES],
+        unused: [0; 8],
     };
 
     fn put(&mut self, slot: usize, node: &Node, child: Child) {
@@ -303,10 +290,9 @@ impl WideNode {
 
 #[cfg(test)]
 mod tests {
-    use scenec_plan::packed_structs::{Island, Leaf, Node, Shape};
-    use scenec_plan::{Packed, Real};
-
     use super::{Kind, Wide};
+    use crate::packed::packed_structs::{Frame, Island, Leaf, Node, Shape};
+    use crate::{Packed, Real};
 
     /// Islands in a row, balls but for every seventh, under a hierarchy that halves the row.
     fn packed<R: Real>(count: u32) -> Packed<R> {
@@ -336,7 +322,7 @@ mod tests {
             };
         }
         Packed {
-            frame: scenec_plan::packed_structs::Frame::default(),
+            frame: Frame::default(),
             shapes: (0..count).map(shape).collect(),
             leaves: (0..count)
                 .map(|shape| Leaf {
