@@ -37,6 +37,7 @@ fn main() {
     }
     println!("| scene | who | whole ms | prepare ms | trace ms | Mray/s | whole, in cpu's | rate, in cpu's |");
     println!("|---|---|---:|---:|---:|---:|---:|---:|");
+    let mut forecasts = String::new();
     let mut csv = String::from("scene,who,round,whole_ms,prepare_ms,trace_ms,rays\n");
     for name in &options.scenes {
         let (files, quick) = files(name, folder.path());
@@ -63,9 +64,25 @@ fn main() {
             }
         }
         rows(name, &options.peers, &runs);
+        forecasts += &forecast(name, &bench, &files, &options.peers, &runs).unwrap_or_default();
         fs::write(&options.csv, &csv).unwrap();
     }
+    if !forecasts.is_empty() {
+        println!("\n| scene | foreseen ms | traced ms | foreseen, in traced's |\n|---|---:|---:|---:|\n{forecasts}");
+    }
     println!("\nevery run: {}", options.csv.display());
+}
+
+/// What was foreseen for the built-in tracer beside what it took.
+fn forecast(name: &str, bench: &Bench<'_>, files: &Files, peers: &[Peer], runs: &[Vec<Run>]) -> Option<String> {
+    let at = peers.iter().position(|peer| *peer == Peer::Cpu)?;
+    let (traced, foreseen) = (median(&runs[at])?.trace?, bench.foreseen(files)?);
+    Some(format!(
+        "| {name} | {} | {} | {:.2} |\n",
+        cell(Some(foreseen)),
+        cell(Some(traced)),
+        foreseen / traced
+    ))
 }
 
 /// One line for each peer that drew the scene, with ratios to the built-in tracer.

@@ -137,6 +137,17 @@ impl Bench<'_> {
         })
     }
 
+    /// What `scenec plan` says that the built-in tracer will take to trace, ms.
+    pub(crate) fn foreseen(&self, files: &Files) -> Option<f64> {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_scenec"));
+        command.arg("plan").arg(&files.scene);
+        command.args(["--quiet", "--device", "cpu", "--output-format", "json", "--size"]);
+        command.arg(format!("{}x{}", files.size.0, files.size.1));
+        let (_, output) = timed(&mut command)?;
+        let plan: serde_json::Value = serde_json::from_slice(&output.stdout).ok()?;
+        plan["forecast"]["milliseconds"].as_f64()
+    }
+
     fn povray(&self, files: &Files) -> Option<Run> {
         let mut command = Command::new("povray");
         command.arg(format!("+I{}", files.pov.as_ref()?.display()));
