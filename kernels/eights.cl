@@ -12,8 +12,6 @@
 #define CHILD_NODE 0
 #define CHILD_BLOCK 1
 #define CHILD_INDEX(child) ((child) & ((1u << CHILD_SHIFT) - 1))
-/* 1 + 2 gamma(3), rounded up: what the three roundings of a box distance can be worth. */
-#define SLACK ((real)1 + (real)8 * ROUNDOFF)
 
 /* Three numbers, eight times. */
 typedef struct {

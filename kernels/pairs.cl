@@ -19,9 +19,6 @@ typedef struct {
 } Cursor;
 
 #if HIERARCHY
-/* 1 + 2 gamma(3), rounded up: what the three roundings of a box distance can be worth. */
-#define SLACK ((real)1 + (real)8 * ROUNDOFF)
-
 /* Where the ray enters the node's box, or NaN. fmin and fmax pass over the NaN of a zero component on the box's face. */
 real meets(__global const Node *node, const Ray *ray, const Cursor *cursor) {
     real low = ((real)node->low[0] - ray->origin.x) * cursor->inverse.x;

@@ -2,6 +2,8 @@
 
 #define NOTHING UINT_MAX
 #define ROUNDOFF (REAL_EPSILON / (real)2)
+/* 1 + 2 gamma(3), rounded up: what the three roundings of a box distance can be worth. */
+#define SLACK ((real)1 + (real)8 * ROUNDOFF)
 
 typedef struct {
     __global const Frame *frame;

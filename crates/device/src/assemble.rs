@@ -88,11 +88,11 @@ fn prelude(precision: Precision) -> String {
     text.push_str(match precision {
         Precision::F32 => {
             "typedef float real;\n#define REAL_EPSILON FLT_EPSILON\ntypedef float8 real8;\ntypedef int8 truth8;\n\
-             #define to_real8 convert_float8\n#define to_truth8 convert_int8\n"
+             #define to_real8 convert_float8\n"
         }
         Precision::F64 => {
             "#pragma OPENCL EXTENSION cl_khr_fp64 : enable\ntypedef double real;\n#define REAL_EPSILON DBL_EPSILON\n\
-             typedef double8 real8;\ntypedef long8 truth8;\n#define to_real8 convert_double8\n#define to_truth8 convert_long8\n"
+             typedef double8 real8;\ntypedef long8 truth8;\n#define to_real8 convert_double8\n"
         }
     });
     for Layout { name, fields } in LAYOUTS {
