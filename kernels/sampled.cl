@@ -31,12 +31,23 @@ void add_to(__global Sampled *sampled, __global real *blocks, uint component, re
     real before = *block, more = value - sampled->lost[component];
     *block = before + more;
     sampled->lost[component] = (*block - before) - more;
+}
+
+void widen(__global Sampled *sampled, uint component, real value) {
     sampled->low[component] = fmin(sampled->low[component], value);
     sampled->high[component] = fmax(sampled->high[component], value);
 }
 
+/* Widens the range by a colour that is no sample. */
+void see(__global Sampled *sampled, Vector colour) {
+    widen(sampled, 0, colour.x);
+    widen(sampled, 1, colour.y);
+    widen(sampled, 2, colour.z);
+}
+
 /* Adds one sample, and the most that its dropped branches could have added to it. */
 void take(__global Sampled *sampled, Vector colour, real dropped) {
+    see(sampled, colour);
     add_to(sampled, sampled->red, 0, colour.x);
     add_to(sampled, sampled->green, 1, colour.y);
     add_to(sampled, sampled->blue, 2, colour.z);

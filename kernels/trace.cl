@@ -168,10 +168,29 @@ __kernel void trace(SCENE_PARAMETERS, __global Outcome *outcomes, __global Sampl
 }
 
 #if SPREAD
+/* The colour that a pixel's next ray brings back, through a point of it; what may be dropped of it is counted from nothing. */
+Vector next_colour(const Scene *scene, uint column, uint row, real right, real down, Spent *spent) {
+    spent->rays += 1;
+    spent->dropped = 0;
+    spent->spare = scene->frame->spare;
+    Hit hit;
+    return walk(scene, camera_ray(scene->frame, column, row, right, down), spent, &hit);
+}
+
+/* Looks at the points on a pixel's sides: its corners, and three on each side between them. */
+void look_around(const Scene *scene, uint column, uint row, __global Sampled *sums, Spent *spent) {
+    for (uint k = 0; k < 16; ++k) {
+        real along = (real)(k % 4) / (real)4 - (real)0.5, end = k < 8 ? (real)0.5 : -(real)0.5;
+        along = k < 8 ? along : -along;
+        bool across = k / 4 % 2 == 0;
+        see(sums, next_colour(scene, column, row, across ? along : end, across ? -end : along, spent));
+    }
+}
+
 /* Goes on with some pixels, which are numbered row by row within the window: their samples from `first` up to, not including,
-   `end`, until the rays of a pixel run out. The items are laid out in rows of `width`, of which a tile is run. */
+   `end`, until the rays of a pixel run out; before all of them its sides, if they are asked for. The items are laid out in rows of `width`, of which a tile is run. */
 __kernel void refine(SCENE_PARAMETERS, __global Outcome *outcomes, __global Sampled *sums, __global const uint *pixels,
-                     uint count, uint width, uint tile_column, uint tile_row, uint columns, uint rows, uint first,
+                     uint sides, uint count, uint width, uint tile_column, uint tile_row, uint columns, uint rows, uint first,
                      uint end) {
     uint item = (tile_row + get_global_id(1)) * width + tile_column + get_global_id(0);
     if (get_global_id(0) >= columns || get_global_id(1) >= rows || item >= count)
@@ -179,16 +198,14 @@ __kernel void refine(SCENE_PARAMETERS, __global Outcome *outcomes, __global Samp
     uint column = frame->window_x + pixels[item] % frame->window_width;
     uint row = frame->window_y + pixels[item] / frame->window_width;
     Scene scene = scene_of(SCENE_ARGUMENTS);
-    if (first == 0)
-        begin(sums + item);
     Spent spent = first == 0 ? nothing_spent() : spent_by(outcomes + item);
+    if (first == 0) {
+        begin(sums + item);
+        if (sides)
+            look_around(&scene, column, row, sums + item, &spent);
+    }
     for (uint k = first; k < end && spent.rays < frame->ray_budget; ++k) {
-        spent.rays += 1;
-        spent.dropped = 0;
-        spent.spare = frame->spare;
-        Hit hit;
-        Ray ray = camera_ray(frame, column, row, samples[2 * k], samples[2 * k + 1]);
-        Vector colour = walk(&scene, ray, &spent, &hit);
+        Vector colour = next_colour(&scene, column, row, samples[2 * k], samples[2 * k + 1], &spent);
         take(sums + item, colour, spent.dropped);
     }
     keep(outcomes + item, &spent);

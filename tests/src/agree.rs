@@ -1,5 +1,6 @@
 //! How far two frames of one scene are apart, away from silhouettes.
 
+use scenec_measure::stability::apart;
 use scenec_picture::Frame;
 
 /// Which pixels count: those whose whole neighbourhood of 3 by 3 took the same ways through the scene, so that nothing
@@ -74,12 +75,4 @@ pub fn compare(reference: &Frame, frame: &Frame, mask: &Mask) -> Disagreement {
         }
     }
     found
-}
-
-/// The largest difference of a component; a NaN counts as infinitely far.
-fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let apart = |i: usize| (a[i] - b[i]).abs();
-    (0..3)
-        .map(apart)
-        .fold(0.0, |most, x| if x.is_nan() { f64::INFINITY } else { x.max(most) })
 }

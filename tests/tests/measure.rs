@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may stop at once")]
 
-use scenec_measure::{Bench, Bound, Effort, Report, csv, page, png, svg};
+use scenec_measure::{Bench, Bound, Effort, Report, Setting, csv, page, png, svg};
 use scenec_picture::{TraceError, Watch};
 use scenec_scene::Scene;
 use scenec_tests::{device, gallery, random_scene, scene};
@@ -12,8 +12,10 @@ const EFFORT: Effort = Effort {
     pixels: 24 * 16,
     reference_samples: 64,
     samples: &[1, 4, 16],
+    variants: &[1, 4, 16],
     cutoffs: &[0.25, 1.0 / 64.0, 0.0],
     repeats: 1,
+    seconds: None,
 };
 
 fn bench<'a>(scene: &'a Scene, effort: Effort, watch: &'a Watch, counter: &'a Watch) -> Bench<'a> {
@@ -48,6 +50,24 @@ fn check(name: &str, scene: Scene, effort: Effort) {
     assert!(defects.is_empty(), "{name}: own {}: {defects:#?}", report.truth.own_max);
 }
 
+#[test]
+fn a_picture_is_as_large_as_there_is_time_for() {
+    let sized = |seconds: Option<f64>| {
+        let effort = Effort {
+            pixels: 48 * 32,
+            seconds,
+            ..EFFORT
+        };
+        let (mut scene, watch) = (small(), Watch::new());
+        (scene.settings.width, scene.settings.height) = (480, 320);
+        let settings = effort.fitted(scene, None, &watch).unwrap().settings;
+        (settings.width, settings.height)
+    };
+    assert_eq!(sized(None), (48, 32));
+    assert_eq!(sized(Some(1e9)), (48, 32));
+    assert_eq!(sized(Some(1e-9)), (24, 16));
+}
+
 fn small() -> Scene {
     let text = "width := 24\nheight := 16\nraydepth := 3\neyepos_x := 0\neyepos_y := 1\neyepos_z := 4\n\
                 lookat_x := 0\nlookat_y := 0\nlookat_z := 0\nambient_r := .2\nambient_g := .4\nambient_b := .9\n\
@@ -67,6 +87,7 @@ fn no_picture_of_the_gallery_is_more_wrong_than_it_says() {
 const TINY: Effort = Effort {
     pixels: 16 * 12,
     samples: &[4],
+    variants: &[4],
     cutoffs: &[0.25],
     ..EFFORT
 };
@@ -114,17 +135,25 @@ fn a_picture_that_is_more_wrong_than_it_says_is_a_defect() {
     assert!(page(&[("small".to_owned(), report)], |_| String::new()).contains("**DEFECT**"));
 }
 
-#[test]
-fn of_fast_math_nothing_is_promised() {
-    let Some(device) = device() else {
-        return;
-    };
+/// The bench of the small scene with a device, if there is one, whose processes take so long.
+fn on_device(
+    effort: Effort,
+    process: &mut dyn FnMut(&Setting) -> Result<f64, TraceError>,
+) -> Option<Result<Report, TraceError>> {
     let (watch, counter, scene) = (Watch::new(), Watch::new(), small());
     let bench = Bench {
-        device: Some(device),
-        ..bench(&scene, TINY, &watch, &counter)
+        device: Some(device()?),
+        ..bench(&scene, effort, &watch, &counter)
     };
-    let mut report = bench.run(&mut |_, _| Ok(1.0)).unwrap();
+    Some(bench.run(&mut |setting, _| process(setting)))
+}
+
+#[test]
+fn of_fast_math_nothing_is_promised() {
+    let Some(report) = on_device(TINY, &mut |_| Ok(1.0)) else {
+        return;
+    };
+    let mut report = report.unwrap();
     assert_eq!(report.defects().count(), 0);
     let fast = |row: &scenec_measure::Row| row.family == "opencl fast-math f32";
     let place = report.rows.iter().position(fast).unwrap();
@@ -143,22 +172,15 @@ fn of_fast_math_nothing_is_promised() {
 
 #[test]
 fn fast_math_that_does_not_end_is_left_out() {
-    let Some(device) = device() else {
-        return;
-    };
-    let (watch, counter, scene) = (Watch::new(), Watch::new(), small());
-    let bench = Bench {
-        device: Some(device),
-        ..bench(&scene, EFFORT, &watch, &counter)
-    };
     let mut asked = 0;
-    let report = bench.run(&mut |setting, _| {
+    let report = on_device(EFFORT, &mut |setting| {
         if setting.machine.promises() {
             return Ok(1.0);
         }
         asked += 1;
         Err(TraceError::Failed("it did not end".to_owned()))
     });
+    let Some(report) = report else { return };
     let report = report.unwrap();
     assert!(report.rows.iter().all(|row| row.setting.machine.promises()));
     assert_eq!((report.notes.len(), asked), (1, 1), "{:?}", report.notes);

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at once")]
 
 use scenec_device::Precision;
+use scenec_measure::stability::apart;
 use scenec_measure::{Achieved, Effort, Sampler, Tolerance};
 use scenec_picture::{Exact, Layers, Limits, Request, Tracer, Watch, Window};
 use scenec_reference::Reference;
@@ -42,8 +43,7 @@ fn exact(scene: &Scene, samples: u32) -> Exact {
 
 /// The largest difference of each pixel's components.
 fn differences<'a>(a: &'a [[f64; 3]], b: &'a [[f64; 3]]) -> impl Iterator<Item = f64> + 'a {
-    let worst = |(a, b): (&[f64; 3], &[f64; 3])| (0..3).map(|c| (a[c] - b[c]).abs()).fold(0.0, f64::max);
-    a.iter().zip(b).map(worst)
+    a.iter().zip(b).map(|(a, b)| apart(*a, *b))
 }
 
 /// By every tracer, each pixel is within the tolerance by its bound, and within its bound by a reference of many samples, whose

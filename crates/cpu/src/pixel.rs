@@ -1,7 +1,7 @@
 //! From a pixel to its rays and back to one colour.
 
 use fearless_simd::Simd;
-use scenec_picture::{NOTHING, Refined, Sampled, Spread, Stats, Task};
+use scenec_picture::{NOTHING, Refined, SIDES, Sampled, Spread, Stats, Task};
 use scenec_plan::packed_structs::Frame;
 use scenec_plan::{Real, in_doubles};
 
@@ -106,6 +106,14 @@ pub(crate) fn refine_run<R: Lanes, S: Simd>(
         let row = scene.frame.window_y + (place / columns) as u32;
         let mut sampled = Sampled::default();
         let (mut rays, mut over) = (0, false);
+        for point in SIDES.iter().filter(|_| task.sides) {
+            stats.primary += 1;
+            let mut spent = Spent::new(R::of(task.spare));
+            spent.rays = rays + 1;
+            let (colour, _) = walker.walk(ray(&scene.frame, column, row, &point.map(R::of)), &mut spent);
+            sampled.see(in_doubles(colour));
+            rays = spent.rays;
+        }
         for point in &scene.samples {
             if rays >= scene.frame.ray_budget {
                 break;

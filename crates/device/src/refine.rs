@@ -1,6 +1,8 @@
 //! Single pixels on a device: all that are open go on together from one number of samples to the next at which some of them may
 //! have enough.
 
+use std::ops::Range;
+
 use scenec_picture::{Limits, Refined, Refiner, Sampled, Stats, Task, TraceError, Watch, Window};
 use scenec_plan::Real;
 use scenec_plan::packed_structs::{self, Outcome};
@@ -75,7 +77,7 @@ impl<R: Real + Plain> Refiner for OpenCl<R> {
             let mut count = 0;
             while !open.places.is_empty() {
                 let stop = Sampled::stop_after(count).min(self.frame.samples);
-                let time = self.go_on(&frame, &mut open, count..stop, watch)?;
+                let time = self.go_on(&frame, &mut open, count..stop, task.sides, watch)?;
                 stats.kernel_ns = stats.kernel_ns.map(|sum| sum + time);
                 count = stop;
                 let mut left = Vec::new();
@@ -107,7 +109,8 @@ impl<R: Real + Plain> OpenCl<R> {
         &self,
         frame: &Buffer<packed_structs::Frame<R>>,
         open: &mut Open<R>,
-        samples: std::ops::Range<u32>,
+        samples: Range<u32>,
+        sides: bool,
         watch: &Watch,
     ) -> Result<u64, TraceError> {
         let upload = |open: &Open<R>| -> Result<_, DeviceError> {
@@ -126,10 +129,11 @@ impl<R: Real + Plain> OpenCl<R> {
             if watch.stopped() {
                 return Err(TraceError::Cancelled);
             }
-            let more: [Arg<'_>; 11] = [
+            let more: [Arg<'_>; 12] = [
                 (&outcomes).into(),
                 (&sums).into(),
                 (&pixels).into(),
+                u32::from(sides).into(),
                 count.into(),
                 WIDTH.into(),
                 run.column.into(),

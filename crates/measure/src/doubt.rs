@@ -151,10 +151,20 @@ pub fn doubts(plan: &Plan, precision: Precision, frame: &Frame) -> Option<Vec<Do
     let count = u32::try_from(plan.view.samples.len()).unwrap_or(u32::MAX);
     let pixels = frame.picture.pixels().iter().zip(spread).zip(&around);
     let doubt = |((pixel, spread), around): ((&[f32; 3], &Spread), &Range)| {
-        judge.of_pixel(count, pixel.map(f64::from), spread, around)
+        judge.of_pixel(count, pixel.map(f64::from), spread, around, Sides::Unseen)
     };
     Some(pixels.map(doubt).collect())
 }
+
+/// Whether the points on a pixel's sides are in its range.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Sides {
+    Unseen,
+    Seen,
+}
+
+/// The largest part of a pixel that a disc with a radius of half a pixel cuts off between two points on a side.
+const CAP: f64 = 2.7e-3;
 
 /// Tells how wrong pixels may be.
 #[derive(Clone, Copy, Debug)]
@@ -189,13 +199,17 @@ impl Doubts {
     /// *Sampling.* With 16 samples or more, the largest of three: four times the standard error that blocks of samples
     /// show, each block being the same points shifted (Cranley and Patterson 1976); four times what the points typically
     /// count wrong about a straight edge, times the range of the pixel's own samples; and what a straight edge may cut
-    /// off unseen, times the range of the samples all around. With fewer, twice what the points may be wrong about
+    /// off unseen, times the range of the samples all around. Where the pixel's sides were looked at, which a straight edge can't
+    /// pass unseen, their colours are in its own range, and that is the one which counts; of the range all around no more is left
+    /// than what a curve may cut off. With fewer, twice what the points may be wrong about
     /// any straight edge, times that range.
     ///
     /// *Rounding.* The picture is that of rays which lie a little beside their places, and so is that of a pixel moved as far: it
     /// gains and loses a strip along its sides, in which colours are within the range all around.
-    pub(crate) fn of_pixel(&self, count: u32, mean: [f64; 3], spread: &Spread, around: &Range) -> Doubt {
-        let (own, truncation) = (Range::of(spread), f64::from(spread.dropped));
+    pub(crate) fn of_pixel(&self, count: u32, mean: [f64; 3], spread: &Spread, around: &Range, sides: Sides) -> Doubt {
+        // Without a sample nothing is known.
+        let dropped = if count == 0 { f32::INFINITY } else { spread.dropped };
+        let (own, truncation) = (Range::of(spread), f64::from(dropped));
         let around = around.with(&own);
         let mut worst = Doubt::default();
         for component in [0, 1, 2] {
@@ -203,7 +217,10 @@ impl Doubts {
             let sampling = match Points::first(count) {
                 Some(points) => (ERRORS * f64::from(spread.error[component]))
                     .max(EDGES * points.typical * own)
-                    .max(points.empty * around),
+                    .max(match sides {
+                        Sides::Unseen => points.empty * around,
+                        Sides::Seen => (points.empty * own).max(points.empty.min(CAP) * around),
+                    }),
                 None => 2.0 * self.few * around,
             };
             let strip = std::f64::consts::SQRT_2 * self.astray * around;
@@ -242,7 +259,7 @@ mod tests {
     use scenec_picture::Spread;
     use scenec_plan::sample_points;
 
-    use super::{Doubt, Doubts, MOST_SAMPLES, POINTS, Range, around};
+    use super::{CAP, Doubt, Doubts, MOST_SAMPLES, POINTS, Range, Sides, around};
     use crate::discrepancy::{empty, typical};
 
     #[test]
@@ -258,6 +275,10 @@ mod tests {
 
     /// The doubt about a pixel of so many samples in one component, which range from 0 to `own`, in a range up to `around`.
     fn check(count: u32, error: f32, own: f32, around: f32, expect: Doubt) {
+        check_sides(Sides::Unseen, count, error, own, around, expect);
+    }
+
+    fn check_sides(sides: Sides, count: u32, error: f32, own: f32, around: f32, expect: Doubt) {
         let doubts = Doubts {
             few: 0.25,
             astray: 0.0,
@@ -273,7 +294,7 @@ mod tests {
             low: [0.0; 3],
             high: [around, 0.0, 0.0],
         };
-        assert_eq!(doubts.of_pixel(count, [1.0, 0.5, 0.0], &spread, &around), expect);
+        assert_eq!(doubts.of_pixel(count, [1.0, 0.5, 0.0], &spread, &around, sides), expect);
     }
 
     fn doubt(sampling: f64) -> Doubt {
@@ -293,6 +314,9 @@ mod tests {
         check(16, 0.0, 1.0, 1.0, doubt(4.0 * 7.74e-2));
         check(16, 0.0, 0.0, 1.0, doubt(1.87e-1));
         check(100, 0.0, 0.0, 1.0, doubt(1.92e-2));
+        check_sides(Sides::Seen, 16, 0.0, 0.0, 1.0, doubt(CAP));
+        check_sides(Sides::Seen, 4096, 0.0, 0.0, 1.0, doubt(8.69e-4));
+        check_sides(Sides::Seen, 16, 0.0, 0.5, 1.0, doubt(4.0 * 7.74e-2 * 0.5));
     }
 
     #[test]
@@ -303,7 +327,11 @@ mod tests {
             rounding: 0.0,
         };
         let range = Range::of(&Spread::default());
-        let of = |mean| doubts.of_pixel(16, mean, &Spread::default(), &range).bound();
+        let of = |mean| {
+            doubts
+                .of_pixel(16, mean, &Spread::default(), &range, Sides::Unseen)
+                .bound()
+        };
         assert_eq!(of([1.0, f64::NAN, 1.0]), f64::INFINITY);
         assert_eq!(of([1.0, f64::INFINITY, 1.0]), f64::INFINITY);
         assert_eq!(of([1.0; 3]), 0.0);

@@ -11,20 +11,26 @@ pub struct Effort {
     pub reference_samples: u32,
     /// The samples per pixel that are tried, ascending.
     pub samples: &'static [u32],
+    /// Those that are tried of the programs and numbers that an OpenCL device has besides the usual ones.
+    pub variants: &'static [u32],
     /// The cut-offs that are tried, descending; at the last number of samples but one.
     pub cutoffs: &'static [f64],
     /// How often each setting is timed after one run to warm up.
     pub repeats: u32,
+    /// About how many seconds the tracing may take of a scene that has no size given; preparations come on top.
+    pub seconds: Option<f64>,
 }
 
 impl Effort {
-    /// About a minute for a small scene.
+    /// About a minute.
     pub const QUICK: Self = Self {
         pixels: 96 * 64,
         reference_samples: 256,
         samples: &[1, 4, 16, 64],
+        variants: &[4, 16],
         cutoffs: &[1.0 / 4.0, 1.0 / 16.0, 1.0 / 64.0, 1.0 / 256.0, 0.0],
-        repeats: 5,
+        repeats: 3,
+        seconds: Some(25.0),
     };
 
     /// For figures that are to be kept.
@@ -32,8 +38,10 @@ impl Effort {
         pixels: 240 * 160,
         reference_samples: 1024,
         samples: &[1, 4, 16, 64, 256],
+        variants: &[1, 4, 16, 64, 256],
         cutoffs: &[1.0 / 4.0, 1.0 / 16.0, 1.0 / 64.0, 1.0 / 256.0, 1.0 / 1024.0, 0.0],
         repeats: 11,
+        seconds: None,
     };
 
     /// A scene of a size that this effort can bear.
@@ -47,6 +55,17 @@ impl Effort {
             (scene.settings.width, scene.settings.height) = (less(width), less(height));
         }
         scene
+    }
+
+    /// How many pictures of each setting are traced: itself, two for its bound, and as many as are timed, alone and as
+    /// processes.
+    pub(crate) const fn pictures(&self) -> u64 {
+        3 + 2 * self.rounds()
+    }
+
+    /// One round to warm up, and those that count.
+    pub(crate) const fn rounds(&self) -> u64 {
+        self.repeats as u64 + 1
     }
 
     /// The samples at which cut-offs and depths are tried.
@@ -76,6 +95,7 @@ mod tests {
     fn samples_nest_in_those_of_the_reference() {
         for effort in [Effort::QUICK, Effort::FULL] {
             assert!(effort.samples.is_sorted() && effort.samples.contains(&effort.middle()));
+            assert!(effort.variants.iter().all(|samples| effort.samples.contains(samples)));
             assert!(effort.samples.iter().all(|samples| *samples < effort.reference_samples));
         }
     }

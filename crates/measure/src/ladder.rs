@@ -35,7 +35,19 @@ pub(crate) fn ladder(scene: &Scene, effort: &Effort, device: Option<&DeviceInfo>
     let raydepth = scene.settings.raydepth;
     let mut rungs = Vec::new();
     for (machine, precision) in machines {
-        rungs.extend(effort.samples.iter().map(|&samples| Rung {
+        let usual = matches!(
+            (&machine, precision),
+            (Machine::Cpu, _)
+                | (
+                    Machine::OpenCl {
+                        program: Program::Made,
+                        ..
+                    },
+                    Precision::F32
+                )
+        );
+        let samples = if usual { effort.samples } else { effort.variants };
+        rungs.extend(samples.iter().map(|&samples| Rung {
             family: format!("{} {precision}", machine.name()),
             knob: format!("samples {samples}"),
             setting: Setting {

@@ -11,6 +11,7 @@ mod diagram;
 mod discrepancy;
 mod doubt;
 mod effort;
+mod fit;
 mod hidden;
 mod ladder;
 mod page;

@@ -122,9 +122,8 @@ impl Bench<'_> {
     pub fn work(&self) -> u64 {
         let rungs = ladder(self.scene, &self.effort, self.device);
         let settings: u64 = rungs.iter().map(|rung| self.pictures(&rung.setting)).sum();
-        // Pictures of a rung: itself, two for its bound, and as many as are timed, alone and as processes.
         let before = work(self.pixels(), self.effort.reference_samples) + self.pixels() * Hidden::work();
-        before + settings * (3 + 2 * self.rounds())
+        before + settings * self.effort.pictures()
     }
 
     fn pixels(&self) -> u64 {
@@ -133,11 +132,6 @@ impl Bench<'_> {
 
     fn pictures(&self, setting: &Setting) -> u64 {
         self.pixels() * u64::from(setting.samples)
-    }
-
-    /// One to warm up, and those that count.
-    fn rounds(&self) -> u64 {
-        u64::from(self.effort.repeats) + 1
     }
 
     /// Does it all.
@@ -218,7 +212,7 @@ impl Bench<'_> {
     fn time(&self, rungs: &[&Rung], process: &mut Process<'_>) -> Result<(Vec<(Times, Times)>, f64), TraceError> {
         let mut steady = vec![calibration()];
         let mut runs = vec![(Vec::new(), Vec::new()); rungs.len()];
-        for round in 0..self.rounds() {
+        for round in 0..self.effort.rounds() {
             let start = if round == 0 { Start::Cold } else { Start::Warm };
             for (rung, (kernels, processes)) in rungs.iter().zip(&mut runs) {
                 kernels.push(trial(self.scene, &rung.setting, self.watch)?.seconds);

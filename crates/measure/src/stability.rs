@@ -15,6 +15,7 @@ pub use case::{Case, CaseError, Oracle, Run, Sum};
 pub use judge::{Outcome, Verdict, judge};
 pub use list::cases;
 pub use machines::Machines;
+pub use picture_error::apart;
 pub use table::{summary, table};
 
 use scenec_scene::Scene;

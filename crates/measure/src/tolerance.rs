@@ -10,7 +10,7 @@ use scenec_reference::Reference;
 use scenec_scene::Scene;
 
 use crate::bound::Bound;
-use crate::doubt::{Doubt, Doubts, MOST_SAMPLES, Range, around};
+use crate::doubt::{Doubt, Doubts, MOST_SAMPLES, Range, Sides, around};
 use crate::setting::roundoff;
 use crate::specks::least_samples;
 
@@ -308,7 +308,7 @@ impl Work<'_> {
         let around = around(&ranges, self.window.width as usize);
         let doubt = |place: usize, pixel: &Refined| {
             self.doubts
-                .of_pixel(pixel.samples, pixel.mean, &pixel.spread, &around[place])
+                .of_pixel(pixel.samples, pixel.mean, &pixel.spread, &around[place], Sides::Seen)
         };
         let inside = self.inside();
         let mut settled: Vec<_> = inside
@@ -325,9 +325,13 @@ impl Work<'_> {
         self.asked.watch.advance((settled.len() - places.len()) as u64);
         let enough = |index: usize, so_far: &Sampled| {
             let place = pixels[index] as usize;
-            let doubt = self
-                .doubts
-                .of_pixel(so_far.count, so_far.mean(), &so_far.spread(), &around[place]);
+            let doubt = self.doubts.of_pixel(
+                so_far.count,
+                so_far.mean(),
+                &so_far.spread(),
+                &around[place],
+                Sides::Seen,
+            );
             let done = so_far.count > first[place].samples && self.is_done(so_far.count, &doubt);
             if done {
                 self.asked.watch.advance(1);
@@ -365,7 +369,12 @@ impl Work<'_> {
             cutoff: BRANCH * spare,
             ray_budget: self.asked.ray_budget,
         };
-        let task = Task { pixels, enough, spare };
+        let task = Task {
+            pixels,
+            enough,
+            sides: true,
+            spare,
+        };
         tracer.refine(self.window, limits, &task, self.asked.watch)
     }
 

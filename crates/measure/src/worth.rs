@@ -94,6 +94,7 @@ impl<'a> Uniform<'a> {
             let task = Task {
                 pixels: &pixels,
                 enough: &|_, _: &Sampled| false,
+                sides: false,
                 spare: f64::INFINITY,
             };
             let limits = Limits {

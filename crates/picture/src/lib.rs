@@ -29,7 +29,7 @@ pub use levels::Transfer;
 pub use load::{LoadError, load, load_raw};
 pub use overlay::overlay;
 pub use picture::{MAX_PIXELS, Picture, TooManyPixels};
-pub use refine::{Refined, Refiner, Task};
+pub use refine::{Refined, Refiner, SIDES, Task};
 pub use sampled::Sampled;
 pub use save::{SaveError, save, write_whole};
 pub use trace::{Exact, Frame, Layers, Limits, NOTHING, Request, Spread, Stats, TraceError, Tracer, Watch, Window};

@@ -20,6 +20,22 @@ pub trait Refiner: Tracer {
     ) -> Result<(Vec<Refined>, Stats), TraceError>;
 }
 
+/// Points on the sides of a pixel, measured from its centre: its corners, and three on each side between them. Whatever lies beyond
+/// a straight line has one of the corners, if any of the pixel.
+pub const SIDES: [[f64; 2]; 16] = {
+    let mut points = [[0.0; 2]; 16];
+    let mut k = 0;
+    while k < 4 {
+        let along = k as f64 / 4.0 - 0.5;
+        points[k] = [along, -0.5];
+        points[4 + k] = [0.5, along];
+        points[8 + k] = [-along, 0.5];
+        points[12 + k] = [-0.5, -along];
+        k += 1;
+    }
+    points
+};
+
 /// Which pixels, and until when.
 #[derive(Clone, Copy)]
 pub struct Task<'a> {
@@ -28,6 +44,8 @@ pub struct Task<'a> {
     /// Whether a pixel, by its place among those above, has enough samples. Asked at the numbers at which
     /// [`Sampled::is_stop`]: 16, 24, 32, 48, 64, 96 and so on.
     pub enough: &'a (dyn Fn(usize, &Sampled) -> bool + Sync),
+    /// Whether the points on a pixel's sides are looked at before its samples: they count in its range, and in nothing else.
+    pub sides: bool,
     /// The most that may be left out of one sample by all its branches that are below the cut-off.
     pub spare: f64,
 }

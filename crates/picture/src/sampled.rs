@@ -42,6 +42,15 @@ impl Sampled {
     /// Blocks of samples that follow one another: never fewer than half as many, once there are enough samples.
     pub const BLOCKS: usize = 16;
 
+    /// Widens the range by a colour that is no sample.
+    #[inline(always)]
+    pub fn see(&mut self, colour: [f64; 3]) {
+        for (component, value) in colour.into_iter().enumerate() {
+            self.low[component] = self.low[component].min(value);
+            self.high[component] = self.high[component].max(value);
+        }
+    }
+
     /// Adds one sample, and the most that its dropped branches could have added to it.
     #[inline(always)]
     pub fn add(&mut self, colour: [f64; 3], dropped: f64) {
@@ -49,9 +58,8 @@ impl Sampled {
         self.dropped += dropped;
         for (component, value) in colour.into_iter().enumerate() {
             self.blocks[self.whole][component] += value;
-            self.low[component] = self.low[component].min(value);
-            self.high[component] = self.high[component].max(value);
         }
+        self.see(colour);
         self.filled += 1;
         if self.filled == self.size {
             (self.whole, self.filled) = (self.whole + 1, 0);

@@ -52,8 +52,12 @@ impl Reference {
     }
 
     /// Sample number `k` of a pixel, which has a column and a row in the whole picture.
-    pub(crate) fn sample(&self, eye: &Eye, [column, row]: [u32; 2], k: u32, tally: &mut Tally) -> Sight {
-        let (x, y) = sample_point(k);
+    pub(crate) fn sample(&self, eye: &Eye, place: [u32; 2], k: u32, tally: &mut Tally) -> Sight {
+        self.look(eye, place, sample_point(k).into(), tally)
+    }
+
+    /// What is seen through a point of a pixel, measured from its upper left corner.
+    pub(crate) fn look(&self, eye: &Eye, [column, row]: [u32; 2], [x, y]: [f64; 2], tally: &mut Tally) -> Sight {
         let direction = eye.towards(f64::from(column) + x, f64::from(row) + y);
         self.world.look(eye.place, direction, tally)
     }

@@ -1,6 +1,6 @@
 //! Single pixels, one to a thread at a time: slow enough for that.
 
-use scenec_picture::{Limits, Refined, Refiner, Sampled, Stats, Task, TraceError, Watch, Window};
+use scenec_picture::{Limits, Refined, Refiner, SIDES, Sampled, Stats, Task, TraceError, Watch, Window};
 
 use crate::camera::Eye;
 use crate::reference::Reference;
@@ -21,8 +21,12 @@ impl Refiner for Reference {
             let columns = window.width.max(1);
             let place = [window.x + pixel % columns, window.y + pixel / columns];
             let mut tally = Tally::new(limits.ray_budget.max(1));
+            let mut sampled = Sampled::default();
+            for [x, y] in SIDES.into_iter().filter(|_| task.sides) {
+                sampled.see(self.look(eye, place, [0.5 + x, 0.5 + y], &mut tally).colour.to_array());
+            }
             let enough = |sampled: &Sampled| (task.enough)(number, sampled) || watch.stopped();
-            *refined = self.refined(eye, place, &mut tally, &enough);
+            *refined = self.refined(eye, place, sampled, &mut tally, &enough);
             Stats {
                 dropped: refined.spread.dropped.into(),
                 ..tally.stats(1)
@@ -36,9 +40,15 @@ impl Refiner for Reference {
 }
 
 impl Reference {
-    fn refined(&self, eye: &Eye, place: [u32; 2], tally: &mut Tally, enough: &dyn Fn(&Sampled) -> bool) -> Refined {
-        let mut sampled = Sampled::default();
-        let mut dropped = 0.0;
+    fn refined(
+        &self,
+        eye: &Eye,
+        place: [u32; 2],
+        mut sampled: Sampled,
+        tally: &mut Tally,
+        enough: &dyn Fn(&Sampled) -> bool,
+    ) -> Refined {
+        let mut dropped = tally.stats(1).dropped;
         for k in 0..self.samples {
             if tally.is_spent() {
                 break;

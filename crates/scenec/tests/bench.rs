@@ -85,6 +85,18 @@ fn what_cannot_be_measured_is_refused_before_anything_is() {
     assert!(!room.path("out/report.csv").exists());
 }
 
+#[test]
+fn without_pov_ray_nobody_asks_it() {
+    let room = Room::new();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_scenec"));
+    command.args(["bench", "--stability", "--povray", "--device", "none"]);
+    let ran = command.env("PATH", "").current_dir(room.0.path()).output().unwrap();
+    let said = String::from_utf8_lossy(&ran.stderr);
+    assert_eq!(ran.status.code(), Some(2), "{said}");
+    assert!(said.contains("there is no `povray` on the path"), "{said}");
+    assert!(ran.stdout.is_empty());
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn a_bench_that_is_stopped_writes_nothing() {

@@ -6,7 +6,8 @@ use scenec_scene::{Camera, DVec3, Scene, View, view};
 use super::machines::Shot;
 
 /// The largest difference of a component; infinite if a number is none.
-pub(super) fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
+#[must_use]
+pub fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
     let apart = |i: usize| (a[i] - b[i]).abs();
     (0..3)
         .map(apart)

@@ -8,39 +8,42 @@ use super::judge::Outcome;
 /// A row for each verdict, and a closing line; with a column for POV-Ray if it was asked.
 #[must_use]
 pub fn table(verdicts: &[Verdict]) -> String {
-    let beside = verdicts.iter().any(|verdict| verdict.povray.is_some());
-    let mut out = String::from("| case | member | condition | error f32 | allowed | error f64 | allowed | verdict |");
-    out += if beside { " POV-Ray |\n" } else { "\n" };
-    out += "|---|---|---|---|---|---|---|---|";
-    out += if beside { "---|\n" } else { "\n" };
-    for verdict in verdicts {
-        let opinion = if beside { opinion(verdict) } else { String::new() };
-        let _ = writeln!(out, "{}{opinion}", row(verdict));
-    }
-    let _ = writeln!(out, "\n{}", held(verdicts));
-    out
+    let head = [
+        "| case | member | condition | error f32 | allowed | error f64 | allowed | verdict |",
+        "|---|---|---|---|---|---|---|---|",
+    ];
+    let rows = verdicts.iter().map(|verdict| (row(verdict), opinion(verdict)));
+    whole(head, rows, verdicts)
 }
 
 /// A row for each case, all of its members together, and a closing line: the largest part of what is allowed that an error takes
 /// up, and how many members a render would take doubles for.
 #[must_use]
 pub fn summary(verdicts: &[Verdict]) -> String {
-    let beside = verdicts.iter().any(|verdict| verdict.povray.is_some());
-    let mut out = String::from("| case | members | of them f64 | verdict | f32, of what is allowed | f64 |");
-    out += if beside { " POV-Ray |\n" } else { "\n" };
-    out += "|---|---:|---:|---|---:|---:|";
-    out += if beside { "---|\n" } else { "\n" };
-    for members in verdicts.chunk_by(|a, b| a.case == b.case) {
-        let opinion = if beside { opinions(members) } else { String::new() };
-        let _ = writeln!(out, "{}{opinion}", case_row(members));
-    }
-    let _ = writeln!(out, "\n{}", held(verdicts));
-    out
+    let head = [
+        "| case | members | of them f64 | verdict | f32, of what is allowed | f64 |",
+        "|---|---:|---:|---|---:|---:|",
+    ];
+    let cases = verdicts.chunk_by(|a, b| a.case == b.case);
+    whole(
+        head,
+        cases.map(|members| (case_row(members), opinions(members))),
+        verdicts,
+    )
 }
 
-fn held(verdicts: &[Verdict]) -> String {
+/// The head of a table, its rows, each with what POV-Ray makes of it if that was asked, and how many verdicts hold.
+fn whole(head: [&str; 2], rows: impl Iterator<Item = (String, String)>, verdicts: &[Verdict]) -> String {
+    let beside = verdicts.iter().any(|verdict| verdict.povray.is_some());
+    let lines = head.into_iter().zip([" POV-Ray |", "---|"]);
+    let lines = lines.map(|(line, more)| (line.to_owned(), more.to_owned())).chain(rows);
+    let mut out = String::new();
+    for (line, more) in lines {
+        let _ = writeln!(out, "{line}{}", if beside { more.as_str() } else { "" });
+    }
     let held = verdicts.iter().filter(|verdict| verdict.holds()).count();
-    format!("{held} of {} hold.", verdicts.len())
+    let _ = writeln!(out, "\n{held} of {} hold.", verdicts.len());
+    out
 }
 
 fn case_row(members: &[Verdict]) -> String {

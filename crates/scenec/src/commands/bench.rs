@@ -59,7 +59,7 @@ pub(crate) struct BenchOptions {
     #[arg(long, value_name = "T", value_parser = values::tolerance,
         conflicts_with_all = ["stability", "output", "device", "cache", "heat"])]
     tolerance: Option<f64>,
-    /// Take about a minute for a small scene, with fewer pixels, samples and repetitions
+    /// Take about a minute, with fewer pixels, samples and repetitions; of a scene that is slow, with fewer pixels still
     #[arg(long, conflicts_with = "full")]
     quick: bool,
     /// Take the time for figures that are to be kept; this is the default
@@ -138,10 +138,14 @@ impl BenchOptions {
                     "a bench needs files: it renders them again and again",
                 ));
             }
-            scenes.push((path, self.sized(scenes::open(path, true, &self.style, |_| ())?.1)));
+            scenes.push((path, scenes::open(path, true, &self.style, |_| ())?.1));
         }
         let mut reports = Vec::new();
         for (path, scene) in scenes {
+            let scene = match self.size {
+                Some(_) => self.sized(scene),
+                None => self.effort().fitted(scene, device, interrupt::watch())?,
+            };
             let report = self.one(path, &scene, device)?;
             tell(path, &report);
             reports.push((path.display().to_string(), report));
