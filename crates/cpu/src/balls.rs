@@ -7,6 +7,9 @@ use scenec_plan::packed_structs::Block;
 use crate::lanes::{LANES, Lanes, Set, Vector8, bits, dot, fma, load, scale, splat, splat3};
 use crate::ray::Ray;
 
+/// A bit for each lane.
+const ALL: u32 = (1 << LANES) - 1;
+
 /// A ray in every lane.
 pub(crate) struct Line<R: Lanes, S: Simd> {
     pub(crate) simd: S,
@@ -46,7 +49,10 @@ pub(crate) fn near<R: Lanes, S: Simd>(block: &Block<R>, line: &Line<R, S>) -> Se
     let across = fma(line.direction, -along, start);
     let slack = splat::<R, S>(simd, R::of((-34.0_f64).exp2()));
     let bound = (along * along).mul_add_precise(slack, load::<R, S>(simd, &block.reach));
-    Set(!bits(dot(across, across).simd_gt(bound)) & block.there)
+    match !bits(dot(across, across).simd_gt(bound)) & ALL {
+        0 => Set(0),
+        near => Set(near & block.there),
+    }
 }
 
 /// Where a ray from outside enters balls at a distance of at most `until`, as [`crate::event`] has it for one: the

@@ -3,7 +3,8 @@
 
 use std::ops::Range;
 
-use scenec_picture::{Exact, Picture, Spread};
+use scenec_picture::{Exact, NOTHING, Picture, Spread};
+use scenec_plan::packed_structs::Leaf;
 use scenec_plan::{Real, in_doubles, in_singles};
 
 use crate::pixel::Pixel;
@@ -93,7 +94,7 @@ impl Band<'_> {
     }
 
     /// Puts the pixels of a tile, row by row, where they belong.
-    pub(crate) fn store<R: Real>(&mut self, tile: &Tile, pixels: &[Pixel<R>]) {
+    pub(crate) fn store<R: Real>(&mut self, tile: &Tile, pixels: &[Pixel<R>], leaves: &[Leaf]) {
         let width = tile.columns.len();
         for (row, pixels) in pixels.chunks(width).enumerate() {
             let start = row * self.columns + tile.columns.start as usize;
@@ -102,7 +103,9 @@ impl Band<'_> {
                 in_singles(pixel.colour)
             });
             if let Some(ids) = &mut self.ids {
-                put(&mut ids[here.clone()], pixels, |pixel| pixel.solid);
+                put(&mut ids[here.clone()], pixels, |pixel| {
+                    leaves.get(pixel.leaf as usize).map_or(NOTHING, |leaf| leaf.solid)
+                });
             }
             if let Some(exact) = &mut self.exact {
                 put(&mut exact[here.clone()], pixels, |pixel| in_doubles(pixel.colour));
@@ -127,12 +130,19 @@ fn put<T, R>(to: &mut [T], pixels: &[Pixel<R>], value: impl Fn(&Pixel<R>) -> T) 
 mod tests {
     use scenec_picture::Picture;
 
+    use scenec_plan::packed_structs::Leaf;
+
     use super::{Layers, bands};
     use crate::pixel::Pixel;
 
     fn check(width: u32, height: u32, threads: usize, samples: usize) {
         let mut picture = Picture::black(width, height).unwrap();
         let mut ids = vec![u32::MAX; picture.pixels().len()];
+        let leaf = |solid: u32| Leaf {
+            solid,
+            ..Leaf::default()
+        };
+        let leaves: Vec<_> = (0..width * height).map(leaf).collect();
         let layers = Layers {
             ids: Some(&mut ids),
             exact: None,
@@ -146,12 +156,12 @@ mod tests {
                 assert_eq!(pixels.len(), tile.pixels());
                 let pixels: Vec<_> = pixels
                     .into_iter()
-                    .map(|solid| Pixel::<f32> {
-                        solid,
+                    .map(|leaf| Pixel::<f32> {
+                        leaf,
                         ..Pixel::default()
                     })
                     .collect();
-                band.store(&tile, &pixels);
+                band.store(&tile, &pixels, &leaves);
             }
         }
         assert_eq!(ids, (0..width * height).collect::<Vec<_>>(), "{width} x {height}");

@@ -240,6 +240,7 @@ impl<'a, R: Real> Crossings<'a, R> {
             distance,
             leaf: self.leaf(local),
             leaving: self.intervals[local as usize].1 == distance,
+            ball: None,
         }
     }
 

@@ -13,6 +13,13 @@ use crate::shape::Interval;
 /// No cells.
 const NONE: u32 = u32::MAX;
 
+/// Where a ball is: its block and its lane there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ball {
+    pub(crate) block: u32,
+    pub(crate) lane: u32,
+}
+
 /// A crossing.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hit<R> {
@@ -22,6 +29,8 @@ pub(crate) struct Hit<R> {
     pub(crate) leaf: u32,
     /// Whether the ray leaves that leaf (not: the solid).
     pub(crate) leaving: bool,
+    /// If the leaf is a ball of a block: the block's number and the lane.
+    pub(crate) ball: Option<Ball>,
 }
 
 /// The first entry into an island after the start of a ray from outside, and not after `until`.
@@ -50,12 +59,14 @@ pub(crate) fn entered_leaf<R: Real>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>, 
             distance: R::ZERO,
             leaf,
             leaving: false,
+            ball: None,
         });
     }
     (enter < leave && enter <= until).then_some(Hit {
         distance: enter,
         leaf,
         leaving: false,
+        ball: None,
     })
 }
 
@@ -76,6 +87,7 @@ pub(crate) fn left<R: Real>(
         distance: R::INFINITY,
         leaf: scene.members[island.members as usize],
         leaving: true,
+        ball: None,
     };
     held.then(|| hit.unwrap_or(endless))
 }
@@ -88,6 +100,7 @@ pub(crate) fn left_leaf<R: Real>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>, fro
         distance: leave,
         leaf,
         leaving: true,
+        ball: None,
     })
 }
 

@@ -1,10 +1,11 @@
 //! Where a ray crosses the surface of the whole solid, the union of all islands.
 
 use fearless_simd::Simd;
-use scenec_plan::packed_structs::{Block, Island};
+use scenec_plan::packed_structs::Island;
+use scenec_plan::{Child, Real};
 
 use crate::balls::{Line, entries, near, of_class};
-use crate::event::{Hit, entered, entered_leaf, left, left_leaf};
+use crate::event::{Ball, Hit, entered, entered_leaf, left, left_leaf};
 use crate::lanes::{Lanes, Set};
 use crate::ray::Ray;
 use crate::shape::Interval;
@@ -17,13 +18,16 @@ pub(crate) struct Scratch<R> {
     intervals: Vec<Interval<R>>,
     /// What waits on a way through the hierarchy.
     waiting: Waiting<R>,
+    /// What stood before each light the last time: it often stands before it again.
+    blockers: Vec<Option<Child>>,
 }
 
-impl<R> Scratch<R> {
-    pub(crate) fn new() -> Self {
+impl<R: Real> Scratch<R> {
+    pub(crate) fn new(lights: usize) -> Self {
         Self {
             intervals: Vec::new(),
-            waiting: Vec::with_capacity(64),
+            waiting: Waiting::new(),
+            blockers: vec![None; lights],
         }
     }
 }
@@ -42,12 +46,12 @@ pub(crate) fn first<R: Lanes, S: Simd>(
     }
 }
 
-/// Whether the ray crosses the surface before `until`.
+/// Whether the ray to this light crosses the surface before `until`.
 #[inline(always)]
 pub(crate) fn blocked<R: Lanes, S: Simd>(
     stage: Stage<'_, R, S>,
     ray: &Ray<R>,
-    until: R,
+    (light, until): (usize, R),
     scratch: &mut Scratch<R>,
 ) -> bool {
     if ray.inside {
@@ -60,7 +64,9 @@ pub(crate) fn blocked<R: Lanes, S: Simd>(
         until,
         found: false,
     };
-    walk(stage, ray, R::ZERO, &mut scratch.waiting, &mut any);
+    let blocker = &mut scratch.blockers[light];
+    let found = walk(stage, ray, R::ZERO, *blocker, &mut scratch.waiting, &mut any);
+    *blocker = found.or(*blocker);
     any.found
 }
 
@@ -74,7 +80,7 @@ fn enter<R: Lanes, S: Simd>(stage: Stage<'_, R, S>, ray: &Ray<R>, scratch: &mut 
         until: R::INFINITY,
         hit: None,
     };
-    walk(stage, ray, R::ZERO, &mut scratch.waiting, &mut nearest);
+    walk(stage, ray, R::ZERO, None, &mut scratch.waiting, &mut nearest);
     nearest.hit
 }
 
@@ -96,7 +102,7 @@ fn leave<R: Lanes, S: Simd>(stage: Stage<'_, R, S>, ray: &Ray<R>, scratch: &mut 
                     at,
                     hit: None,
                 };
-                walk(stage, ray, at, &mut scratch.waiting, &mut farthest);
+                walk(stage, ray, at, None, &mut scratch.waiting, &mut farthest);
                 reached = match (farthest.hit, reached) {
                     (Some(hit), _) if hit.distance == R::INFINITY => return None,
                     (Some(hit), _) => Some(hit),
@@ -140,13 +146,18 @@ impl<R: Lanes, S: Simd> Visitor<R, S> for Nearest<'_, R, S> {
     }
 
     #[inline(always)]
-    fn block(&mut self, line: &Line<R, S>, block: &Block<R>) -> bool {
+    fn block(&mut self, line: &Line<R, S>, number: usize) -> bool {
+        let block = &self.stage.scene.wide.blocks[number];
         if let Some(entries) = entries(block, line, self.ray, self.until) {
             for lane in entries.lanes {
                 self.keep(Hit {
                     distance: entries.distance[lane],
                     leaf: block.leaf[lane],
                     leaving: false,
+                    ball: Some(Ball {
+                        block: number as u32,
+                        lane: lane as u32,
+                    }),
                 });
             }
         }
@@ -180,7 +191,8 @@ impl<R: Lanes, S: Simd> Visitor<R, S> for Any<'_, R, S> {
     }
 
     #[inline(always)]
-    fn block(&mut self, line: &Line<R, S>, block: &Block<R>) -> bool {
+    fn block(&mut self, line: &Line<R, S>, number: usize) -> bool {
+        let block = &self.stage.scene.wide.blocks[number];
         let until = self.until;
         if self.ray.end.is_touching() {
             // What is known of the light decides there, whatever the numbers say.
@@ -237,7 +249,8 @@ impl<R: Lanes, S: Simd> Visitor<R, S> for Farthest<'_, R, S> {
     }
 
     #[inline(always)]
-    fn block(&mut self, line: &Line<R, S>, block: &Block<R>) -> bool {
+    fn block(&mut self, line: &Line<R, S>, number: usize) -> bool {
+        let block = &self.stage.scene.wide.blocks[number];
         // The same of the light, and of the ball that the ray starts on.
         let lanes = if self.ray.end.is_touching() {
             block.there

@@ -140,7 +140,7 @@ fn trace_band<R: Traced>(scene: &Prepared<R>, request: &Request<'_>, mut band: B
         pixels.clear();
         pixels.resize(tile.pixels(), Pixel::default());
         stats = stats.merge(R::trace_tile(scene, &tile, request.layers.spread, &mut pixels));
-        band.store(&tile, &pixels);
+        band.store(&tile, &pixels, &scene.leaves);
         request.watch.advance(pixels.len() as u64);
     }
     Some(stats)

@@ -5,9 +5,9 @@ use scenec_picture::{NOTHING, Stats};
 use scenec_plan::Real;
 use scenec_plan::packed_structs::Material;
 
-use crate::event::Hit;
+use crate::event::{Ball, Hit};
 use crate::hierarchy::{self, Scratch};
-use crate::lanes::Lanes;
+use crate::lanes::{LANES, Lanes};
 use crate::ray::Ray;
 use crate::shade;
 use crate::shape::contact;
@@ -81,13 +81,13 @@ impl<'a, R: Lanes, S: Simd> Walker<'a, R, S> {
     pub(crate) fn new(scene: Stage<'a, R, S>) -> Self {
         Self {
             scene,
-            scratch: Scratch::new(),
+            scratch: Scratch::new(scene.lights.len()),
             waiting: Vec::new(),
             tally: Tally::default(),
         }
     }
 
-    /// The colour that a ray from the eye brings back, and what it hits first: the solid, or [`NOTHING`], and how far away.
+    /// The colour that a ray from the eye brings back, and what it hits first: the leaf, or [`NOTHING`], and how far away.
     #[inline(always)]
     pub(crate) fn walk(&mut self, ray: Ray<R>, spent: &mut Spent<R>) -> (Vector<R>, (u32, R)) {
         let mut colour = [R::ZERO; 3];
@@ -100,9 +100,7 @@ impl<'a, R: Lanes, S: Simd> Walker<'a, R, S> {
         };
         loop {
             let hit = hierarchy::first(self.scene, &branch.ray, &mut self.scratch);
-            first = first.or(Some(hit.map_or(nothing, |hit| {
-                (self.scene.leaves[hit.leaf as usize].solid, hit.distance)
-            })));
+            first = first.or(Some(hit.map_or(nothing, |hit| (hit.leaf, hit.distance))));
             let next = match hit {
                 None => {
                     let sky = shade::background(&self.scene, branch.ray.direction);
@@ -127,11 +125,20 @@ impl<'a, R: Lanes, S: Simd> Walker<'a, R, S> {
         colour: &mut Vector<R>,
         spent: &mut Spent<R>,
     ) -> Option<Branch<R>> {
-        let leaf = &self.scene.leaves[hit.leaf as usize];
-        let shape = &self.scene.shapes[leaf.shape as usize];
-        let material = &self.scene.materials[leaf.material as usize];
         let ray = &branch.ray;
-        let contact = contact(shape, ray, hit.distance, hit.leaving);
+        let (contact, material) = match hit.ball {
+            Some(Ball { block, lane }) => {
+                let (block, lane) = (&self.scene.wide.blocks[block as usize], lane as usize % LANES);
+                let contact = contact(&block.shape(lane), ray, hit.distance, hit.leaving);
+                (contact, block.material[lane])
+            }
+            None => {
+                let leaf = &self.scene.leaves[hit.leaf as usize];
+                let shape = &self.scene.shapes[leaf.shape as usize];
+                (contact(shape, ray, hit.distance, hit.leaving), leaf.material)
+            }
+        };
+        let material = &self.scene.materials[material as usize];
         let shadows = &mut self.tally.shadow;
         let local = shade::local(self.scene, material, ray, &contact, shadows, &mut self.scratch);
         *colour = fma(local, branch.weight, *colour);

@@ -17,8 +17,8 @@ use crate::vector::{Vector, dot, fma, neg, normalize, scale};
 pub(crate) struct Pixel<R> {
     /// The mean of its samples.
     pub(crate) colour: Vector<R>,
-    /// The solid that its first sample hits.
-    pub(crate) solid: u32,
+    /// The leaf that its first sample hits, or [`NOTHING`].
+    pub(crate) leaf: u32,
     /// How far away that is, plan units.
     pub(crate) distance: R,
     /// How far its samples are apart.
@@ -29,7 +29,7 @@ impl<R: Real> Default for Pixel<R> {
     fn default() -> Self {
         Self {
             colour: [R::ZERO; 3],
-            solid: NOTHING,
+            leaf: NOTHING,
             distance: R::INFINITY,
             spread: Spread::default(),
         }
@@ -71,7 +71,7 @@ pub(crate) fn trace_tile<R: Lanes, S: Simd>(
                 sampled.add(in_doubles(colour), 0.0);
             }
             if k == 0 {
-                (pixel.solid, pixel.distance) = first;
+                (pixel.leaf, pixel.distance) = first;
             }
         }
         pixel.colour = if scene.samples.len() == 1 {

@@ -23,7 +23,7 @@ pub(crate) fn local<R: Lanes, S: Simd>(
 ) -> Vector<R> {
     let ambient = scene.frame.ambient;
     let mut sum: Vector<R> = std::array::from_fn(|i| material.ambient * material.colour[i] * ambient[i]);
-    for light in &scene.lights {
+    for (number, light) in scene.lights.iter().enumerate() {
         let Some((towards, distance)) = way(light, contact.point) else {
             continue;
         };
@@ -41,7 +41,7 @@ pub(crate) fn local<R: Lanes, S: Simd>(
             ..contact.ray(towards, false, ray.inside)
         };
         *shadows += 1;
-        if blocked(scene, &shadow, distance, scratch) {
+        if blocked(scene, &shadow, (number, distance), scratch) {
             continue;
         }
         let diffuse = material.diffuse * cosine;

@@ -126,19 +126,24 @@ packed! {
         /// Fills up a processor's lines of memory.
         unused: [u32; 8],
     }
-    /// Up to eight balls.
-    #[repr(align(32))]
+    /// Up to eight balls, with all that a hit wants to know: what a ray that misses them reads stands first, and nothing has to be
+    /// fetched from elsewhere.
+    #[repr(align(64))]
     Block<R> {
         /// Where they are: by axis, then by ball.
         centre: [[R; LANES]; 3],
-        /// 1 / radius.
-        inverse: [R; LANES],
         /// The square of the radius and a thousandth more.
         reach: [R; LANES],
+        /// 1 / radius.
+        inverse: [R; LANES],
+        /// The radius.
+        radius: [R; LANES],
         /// Their leaves.
         leaf: [u32; LANES],
         /// Their classes.
         class: [u32; LANES],
+        /// Their materials.
+        material: [u32; LANES],
         /// A bit for each ball that is there.
         there: u32,
         /// Fills up a processor's lines of memory.

@@ -2,19 +2,38 @@
 //!
 //! It is made from the plan's hierarchy of pairs, which GPUs read, by taking the largest of a node's grandchildren in.
 
-use crate::packed::packed_structs::{Block, Island, Node, WideNode};
+use crate::packed::packed_structs::{Block, Island, Leaf, Node, Shape, WideNode};
 use crate::{Packed, Real};
 
 /// How many boxes or balls stand together.
 pub const LANES: usize = 8;
 
+/// The number of balls among the kinds of shapes.
+const BALL: u32 = 0;
+
 impl<R: Real> Block<R> {
+    /// One of the balls as a surface.
+    #[must_use]
+    #[inline(always)]
+    pub fn shape(&self, lane: usize) -> Shape<R> {
+        let diagonal = |x| [x, R::ZERO, R::ZERO, R::ZERO, x, R::ZERO, R::ZERO, R::ZERO, x];
+        Shape {
+            centre: [self.centre[0][lane], self.centre[1][lane], self.centre[2][lane]],
+            inverse: diagonal(self.inverse[lane]),
+            linear: diagonal(self.radius[lane]),
+            kind: BALL,
+            class: self.class[lane],
+        }
+    }
+
     const EMPTY: Self = Self {
         centre: [[R::ZERO; LANES]; 3],
-        inverse: [R::ZERO; LANES],
         reach: [R::ZERO; LANES],
+        inverse: [R::ZERO; LANES],
+        radius: [R::ZERO; LANES],
         leaf: [u32::MAX; LANES],
         class: [u32::MAX; LANES],
+        material: [u32::MAX; LANES],
         there: 0,
         unused: [0; 7],
     };
@@ -37,7 +56,8 @@ pub enum Kind {
 
 impl Child {
     const SHIFT: u32 = 30;
-    const NONE: Self = Self(u32::MAX);
+    /// Nothing.
+    pub const NONE: Self = Self(u32::MAX);
 
     const fn new(kind: u32, index: usize) -> Self {
         Self(kind << Self::SHIFT | index as u32)
@@ -65,12 +85,11 @@ pub struct Wide<R> {
     pub blocks: Vec<Block<R>>,
     /// First and one past the last of some islands that are not all balls.
     pub runs: Vec<[u32; 2]>,
-    /// What every ray has to try: the islands outside the hierarchy, and its root.
+    /// What every ray has to try: the islands outside the hierarchy, and last its root.
     pub start: Vec<Child>,
+    /// How many of these are outside the hierarchy.
+    pub outside: usize,
 }
-
-/// With fewer balls than this outside the hierarchy they are tried one by one.
-const FEW: usize = 4;
 
 impl<R: Real> Wide<R> {
     /// The islands of a plan, in eights.
@@ -84,9 +103,11 @@ impl<R: Real> Wide<R> {
                 blocks: Vec::new(),
                 runs: Vec::new(),
                 start: Vec::new(),
+                outside: 0,
             },
         };
         builder.outside();
+        builder.wide.outside = builder.wide.start.len();
         if !packed.nodes.is_empty() {
             let root = builder.hierarchy();
             builder.wide.start.push(root);
@@ -135,7 +156,7 @@ fn islands<'a, R>(packed: &'a Packed<R>, node: &Node) -> &'a [Island] {
 /// The leaf of an island that is one ball.
 fn ball<R: Real>(packed: &Packed<R>, island: &Island) -> Option<u32> {
     let leaf = packed.lone(island)?;
-    (packed.shapes[packed.leaves[leaf as usize].shape as usize].kind == 0).then_some(leaf)
+    (packed.shapes[packed.leaves[leaf as usize].shape as usize].kind == BALL).then_some(leaf)
 }
 
 struct Builder<'a, R> {
@@ -145,13 +166,13 @@ struct Builder<'a, R> {
 }
 
 impl<R: Real> Builder<'_, R> {
-    /// The islands outside the hierarchy.
+    /// The islands outside the hierarchy: the balls among them in blocks, since a block tells soonest that a ray goes past.
     fn outside(&mut self) {
         let outside = &self.packed.islands[..self.packed.frame.linear as usize];
-        let balls: Vec<_> = outside.iter().filter_map(|island| ball(self.packed, island)).collect();
-        let together = balls.len() >= FEW;
+        let mut balls = Vec::new();
         for (index, island) in (0..).zip(outside) {
-            if together && ball(self.packed, island).is_some() {
+            if let Some(ball) = ball(self.packed, island) {
+                balls.push(ball);
                 continue;
             }
             match self.wide.runs.last_mut() {
@@ -162,11 +183,9 @@ impl<R: Real> Builder<'_, R> {
                 }
             }
         }
-        if together {
-            for balls in balls.chunks(LANES) {
-                let block = self.block(balls.iter().copied());
-                self.wide.start.push(block);
-            }
+        for balls in balls.chunks(LANES) {
+            let block = self.block(balls.iter().copied());
+            self.wide.start.push(block);
         }
     }
 
@@ -245,13 +264,16 @@ impl<R: Real> Builder<'_, R> {
     fn block(&mut self, balls: impl Iterator<Item = u32>) -> Child {
         let mut block = Block::EMPTY;
         for (lane, leaf) in balls.enumerate() {
-            let shape = &self.packed.shapes[self.packed.leaves[leaf as usize].shape as usize];
+            let Leaf { shape, material, .. } = self.packed.leaves[leaf as usize];
+            let shape = &self.packed.shapes[shape as usize];
             for axis in 0..3 {
                 block.centre[axis][lane] = shape.centre[axis];
             }
             block.inverse[lane] = shape.inverse[0];
             block.reach[lane] = reach(shape.linear[0]);
+            block.radius[lane] = shape.linear[0];
             block.leaf[lane] = leaf;
+            block.material[lane] = material;
             block.class[lane] = shape.class;
             block.there |= 1 << lane;
         }
