@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test may, in its helpers too")]
 
+use std::collections::HashMap;
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 
@@ -38,8 +39,14 @@ enum Form {
     Plain,
     /// The right operand of each commutative one first, and what was the left one's comes second.
     Permuted,
+    /// Of three operands that are joined alike the last two first: (a | b) | c = a | (b | c).
+    Associated,
     /// By subtractions: a & b = a - (a - b).
     Subtracted,
+    /// By complements within a ball around everything: a | b = all - ((all - a) - b).
+    Complemented,
+    /// Each ball is turned about its centre before anything else is done to it.
+    Turned,
 }
 
 /// A random tree.
@@ -123,6 +130,9 @@ impl Tree {
         for i in 0..self.leaves {
             let plane = numbers.below(10) < self.planes;
             let _ = writeln!(text, "!o{i} := {}", if plane { "hp" } else { "sphere" });
+            if form == Form::Turned && !plane {
+                let _ = writeln!(text, "!o{i} #x= 0.{i}\n!o{i} #y= 1.{i}");
+            }
             if !plane {
                 let radius = self.radius * numbers.between(0.3, 1.0);
                 let flat = if numbers.below(3) == 0 {
@@ -138,7 +148,11 @@ impl Tree {
             let [x, y, z] = std::array::from_fn(|_| numbers.between(-1.0, 1.0));
             let _ = writeln!(text, "!o{i} += {x} {y} {z}\n!o{i} ?= m{}", numbers.below(3));
         }
+        if form == Form::Complemented {
+            text.push_str("!all := sphere\n!all *= 50 50 50\n");
+        }
         let mut open: Vec<String> = (0..self.leaves).map(|i| format!("o{i}")).collect();
+        let mut parts = HashMap::new();
         for joined in 0.. {
             if open.len() == 1 {
                 break;
@@ -151,8 +165,22 @@ impl Tree {
             let _ = match (form, op) {
                 (Form::Permuted, "|" | "&") => writeln!(text, "!j{joined} := {b} {op} {a}"),
                 (Form::Subtracted, "&") => writeln!(text, "!k{joined} := {a} - {b}\n!j{joined} := {a} - k{joined}"),
+                (Form::Complemented, "|") => writeln!(
+                    text,
+                    "!k{joined} := all - {a}\n!l{joined} := k{joined} - {b}\n!j{joined} := all - l{joined}"
+                ),
+                (Form::Associated, "|" | "&") => match parts.get(&a) {
+                    Some((inner, first, second)) if *inner == op => {
+                        writeln!(
+                            text,
+                            "!k{joined} := {second} {op} {b}\n!j{joined} := {first} {op} k{joined}"
+                        )
+                    }
+                    _ => writeln!(text, "!j{joined} := {a} {op} {b}"),
+                },
                 _ => writeln!(text, "!j{joined} := {a} {op} {b}"),
             };
+            parts.insert(format!("j{joined}"), (op, a, b));
             open.push(format!("j{joined}"));
         }
         let _ = writeln!(text, "!{} <=", open[0]);
@@ -229,11 +257,24 @@ fn trees_written_in_other_ways_are_the_same() {
     for tree in TREES {
         let scene = tree.scene(Form::Plain);
         let plain = on_processor::<f64>(&scene, &plan(&scene).unwrap());
-        for form in [Form::Permuted, Form::Subtracted] {
+        for form in [
+            Form::Permuted,
+            Form::Associated,
+            Form::Subtracted,
+            Form::Complemented,
+            Form::Turned,
+        ] {
+            // A ball around everything cuts half-spaces off.
+            if form == Form::Complemented && tree.planes > 0 {
+                continue;
+            }
             let scene = tree.scene(form);
             let other = on_processor::<f64>(&scene, &plan(&scene).unwrap());
             assert_eq!(others(&plain, &other), 0, "{tree:?} {form:?}");
-            assert_eq!(plain.picture, other.picture, "{tree:?} {form:?}");
+            // What is turned has numbers of its own, a few roundings beside.
+            if form != Form::Turned {
+                assert_eq!(plain.picture, other.picture, "{tree:?} {form:?}");
+            }
         }
     }
 }

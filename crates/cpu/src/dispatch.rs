@@ -1,11 +1,10 @@
 //! One binary, fast everywhere: the tracer is compiled several times, and the copy that this processor runs best is taken.
 
 use fearless_simd::{Level, Simd};
-use scenec_picture::{Refined, Stats, Task};
+use scenec_picture::Stats;
 
-use crate::bands::Tile;
 use crate::lanes::Lanes;
-use crate::pixel::{self, Pixel};
+use crate::pixel::{self, Work};
 use crate::stage::{Prepared, Stage};
 
 /// Runs something that is written over a stage with the widest vectors that there are. Where a processor has no fused
@@ -48,27 +47,15 @@ impl Number for f64 {}
 /// A number with tracers of its own. Implemented for each by hand, so that they are compiled here once and not wherever
 /// somebody asks for a picture.
 pub(crate) trait Traced: Lanes {
-    /// Traces a tile of the window's pixels, row by row.
-    fn trace_tile(scene: &Prepared<Self>, tile: &Tile, spread: bool, pixels: &mut [Pixel<Self>]) -> Stats;
-
-    /// Samples some of the window's pixels until each has enough.
-    fn refine_run(scene: &Prepared<Self>, task: &Task<'_>, first: usize, pixels: &mut [Refined]) -> Stats;
+    /// Traces some of the window's pixels.
+    fn trace(scene: &Prepared<Self>, work: Work<'_, Self>) -> Stats;
 }
 
 macro_rules! traced {
     ($number:ty) => {
         impl Traced for $number {
-            fn trace_tile(
-                scene: &Prepared<Self>,
-                tile: &Tile,
-                spread: bool,
-                pixels: &mut [Pixel<Self>],
-            ) -> Stats {
-                widest!(scene, stage => pixel::trace_tile(stage, tile, spread, pixels))
-            }
-
-            fn refine_run(scene: &Prepared<Self>, task: &Task<'_>, first: usize, pixels: &mut [Refined]) -> Stats {
-                widest!(scene, stage => pixel::refine_run(stage, task, first, pixels))
+            fn trace(scene: &Prepared<Self>, work: Work<'_, Self>) -> Stats {
+                widest!(scene, stage => pixel::trace(stage, work))
             }
         }
     };

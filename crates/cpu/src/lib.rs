@@ -27,7 +27,7 @@ use scenec_plan::Plan;
 use bands::{Band, Layers, bands};
 pub use dispatch::Number;
 use dispatch::Traced;
-use pixel::Pixel;
+use pixel::{Pixel, Work};
 use stage::Prepared;
 
 /// Traces one plan in the precision `R`.
@@ -139,7 +139,12 @@ fn trace_band<R: Traced>(scene: &Prepared<R>, request: &Request<'_>, mut band: B
         }
         pixels.clear();
         pixels.resize(tile.pixels(), Pixel::default());
-        stats = stats.merge(R::trace_tile(scene, &tile, request.layers.spread, &mut pixels));
+        let work = Work::Tile {
+            tile: &tile,
+            spread: request.layers.spread,
+            pixels: &mut pixels,
+        };
+        stats = stats.merge(R::trace(scene, work));
         band.store(&tile, &pixels, &scene.leaves);
         request.watch.advance(pixels.len() as u64);
     }

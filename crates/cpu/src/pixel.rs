@@ -36,101 +36,130 @@ impl<R: Real> Default for Pixel<R> {
     }
 }
 
-/// Traces the pixels of a tile of the window, row by row; `spread` tells whether anybody asks how
-/// far their samples are apart.
+/// What is asked of some pixels of the window.
+pub(crate) enum Work<'a, R> {
+    /// All samples of a tile's, row by row.
+    Tile {
+        tile: &'a Tile,
+        /// Whether anybody asks how far their samples are apart.
+        spread: bool,
+        pixels: &'a mut [Pixel<R>],
+    },
+    /// As many samples of each, from the task's `first` on, as it takes: until there are enough, at one of the stops, or the
+    /// points or the rays run out.
+    Run {
+        task: &'a Task<'a>,
+        first: usize,
+        pixels: &'a mut [Refined],
+    },
+}
+
+impl<R: Real> Work<'_, R> {
+    const fn count(&self) -> usize {
+        match self {
+            Self::Tile { pixels, .. } => pixels.len(),
+            Self::Run { pixels, .. } => pixels.len(),
+        }
+    }
+
+    /// The column and row of a pixel in the window.
+    #[inline(always)]
+    fn place(&self, number: usize, columns: u32) -> (u32, u32) {
+        match self {
+            Self::Tile { tile, .. } => {
+                let (number, columns) = (number as u32, tile.columns.len() as u32);
+                (
+                    tile.columns.start + number % columns,
+                    tile.rows.start + number / columns,
+                )
+            }
+            Self::Run { task, first, .. } => {
+                let place = task.pixels[first + number];
+                (place % columns, place / columns)
+            }
+        }
+    }
+}
+
+/// Does the work.
+// One function for either kind of work, since the tracer becomes a part of it: another one would hold another copy.
 #[inline(always)]
-pub(crate) fn trace_tile<R: Lanes, S: Simd>(
-    scene: Stage<'_, R, S>,
-    tile: &Tile,
-    spread: bool,
-    pixels: &mut [Pixel<R>],
-) -> Stats {
+pub(crate) fn trace<R: Lanes, S: Simd>(scene: Stage<'_, R, S>, mut work: Work<'_, R>) -> Stats {
     let mut walker = Walker::new(scene);
     let mut stats = Stats::default();
     let share = R::ONE / R::of(f64::from(scene.frame.samples));
-    let places = tile
-        .rows
-        .clone()
-        .flat_map(|row| tile.columns.clone().map(move |column| (column, row)));
-    for ((column, row), pixel) in places.zip(pixels) {
+    let spare = match &work {
+        Work::Tile { .. } => R::INFINITY,
+        Work::Run { task, .. } => R::of(task.spare),
+    };
+    let samples_matter = !matches!(work, Work::Tile { spread: false, .. });
+    let sides = SIDES.map(|point| point.map(R::of));
+    let sides = match &work {
+        Work::Run { task, .. } if task.sides => &sides[..],
+        _ => &[],
+    };
+    for number in 0..work.count() {
+        let (column, row) = work.place(number, scene.frame.window_width);
         let (column, row) = (scene.frame.window_x + column, scene.frame.window_y + row);
-        let mut spent = Spent::new(R::INFINITY);
-        let mut sampled = spread.then(Sampled::default);
+        let mut spent = Spent::new(spare);
+        let mut sampled = samples_matter.then(Sampled::default);
         let mut sum = [R::ZERO; 3];
-        for (k, point) in scene.samples.iter().enumerate() {
-            if spent.rays >= scene.frame.ray_budget {
+        let mut seen = None;
+        for (place, point) in sides.iter().chain(&scene.samples).enumerate() {
+            let side = place < sides.len();
+            if !side && spent.rays >= scene.frame.ray_budget {
+                if let Work::Run { .. } = work {
+                    break;
+                }
                 spent.dropped += scene.reach[scene.frame.raydepth as usize];
                 spent.over = true;
                 continue;
             }
             spent.rays += 1;
             stats.primary += 1;
-            let (colour, first) = walker.walk(ray(&scene.frame, column, row, point), &mut spent);
+            let (colour, hit) = walker.walk(ray(&scene.frame, column, row, point), &mut spent);
             sum = fma(colour, R::ONE, sum);
-            if let Some(sampled) = &mut sampled {
-                sampled.add(in_doubles(colour), 0.0);
-            }
-            if k == 0 {
-                (pixel.leaf, pixel.distance) = first;
+            seen = seen.or(Some(hit));
+            match (&mut sampled, &work) {
+                (None, _) => {}
+                (Some(sampled), Work::Tile { .. }) => sampled.add(in_doubles(colour), 0.0),
+                (Some(sampled), Work::Run { task, first, .. }) => {
+                    let dropped = spent.dropped.to_f64();
+                    (spent.dropped, spent.spare) = (R::ZERO, spare);
+                    if side {
+                        sampled.see(in_doubles(colour));
+                        continue;
+                    }
+                    sampled.add(in_doubles(colour), dropped);
+                    if sampled.is_stop() && (task.enough)(first + number, sampled) {
+                        break;
+                    }
+                }
             }
         }
-        pixel.colour = if scene.samples.len() == 1 {
-            sum
-        } else {
-            scale(sum, share)
+        let dropped = match &mut work {
+            Work::Tile { pixels, .. } => {
+                let dropped = (spent.dropped * share).to_f64();
+                let (leaf, distance) = seen.unwrap_or((NOTHING, R::INFINITY));
+                pixels[number] = Pixel {
+                    colour: if scene.samples.len() == 1 {
+                        sum
+                    } else {
+                        scale(sum, share)
+                    },
+                    leaf,
+                    distance,
+                    spread: sampled.map_or_else(Spread::default, |sampled| sampled.spread_with(dropped)),
+                };
+                dropped
+            }
+            Work::Run { pixels, .. } => {
+                pixels[number] = sampled.as_ref().map_or_else(Refined::default, Refined::from);
+                pixels[number].spread.dropped.into()
+            }
         };
-        let dropped = (spent.dropped * share).to_f64();
-        if let Some(sampled) = &sampled {
-            pixel.spread = sampled.spread_with(dropped);
-        }
         stats.dropped = stats.dropped.max(dropped);
         stats.over_budget += u64::from(spent.over);
-    }
-    walker.tally.counted(stats)
-}
-
-/// Samples each pixel of the task until it has enough, at one of the stops, or the points or the rays run out.
-#[inline(always)]
-pub(crate) fn refine_run<R: Lanes, S: Simd>(
-    scene: Stage<'_, R, S>,
-    task: &Task<'_>,
-    first: usize,
-    pixels: &mut [Refined],
-) -> Stats {
-    let mut walker = Walker::new(scene);
-    let mut stats = Stats::default();
-    let columns = scene.frame.window_width as usize;
-    for (number, pixel) in (first..).zip(pixels) {
-        let place = task.pixels[number] as usize;
-        let column = scene.frame.window_x + (place % columns) as u32;
-        let row = scene.frame.window_y + (place / columns) as u32;
-        let mut sampled = Sampled::default();
-        let (mut rays, mut over) = (0, false);
-        for point in SIDES.iter().filter(|_| task.sides) {
-            stats.primary += 1;
-            let mut spent = Spent::new(R::of(task.spare));
-            spent.rays = rays + 1;
-            let (colour, _) = walker.walk(ray(&scene.frame, column, row, &point.map(R::of)), &mut spent);
-            sampled.see(in_doubles(colour));
-            rays = spent.rays;
-        }
-        for point in &scene.samples {
-            if rays >= scene.frame.ray_budget {
-                break;
-            }
-            stats.primary += 1;
-            let mut spent = Spent::new(R::of(task.spare));
-            spent.rays = rays + 1;
-            let (colour, _) = walker.walk(ray(&scene.frame, column, row, point), &mut spent);
-            sampled.add(in_doubles(colour), spent.dropped.to_f64());
-            (rays, over) = (spent.rays, over || spent.over);
-            if sampled.is_stop() && (task.enough)(number, &sampled) {
-                break;
-            }
-        }
-        *pixel = Refined::from(&sampled);
-        stats.dropped = stats.dropped.max(pixel.spread.dropped.into());
-        stats.over_budget += u64::from(over);
     }
     walker.tally.counted(stats)
 }

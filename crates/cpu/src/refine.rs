@@ -5,6 +5,7 @@ use scenec_picture::{Limits, Refined, Refiner, Stats, Task, TraceError, Watch, W
 
 use crate::Cpu;
 use crate::dispatch::Number;
+use crate::pixel::Work;
 
 /// A thread takes this many pixels at a time: few, for one of them may need thousands of samples.
 const RUN: usize = 8;
@@ -22,7 +23,10 @@ impl<R: Number> Refiner for Cpu<R> {
         let scene = &self.scene;
         let mut refined = vec![Refined::default(); task.pixels.len()];
         let run = |(number, pixels): (usize, &mut [Refined])| {
-            let stats = (!watch.stopped()).then(|| R::refine_run(scene, task, number * RUN, pixels));
+            let stats = (!watch.stopped()).then(|| {
+                let first = number * RUN;
+                R::trace(scene, Work::Run { task, first, pixels })
+            });
             stats.filter(|_| !watch.stopped())
         };
         let stats = self.threads.install(|| {

@@ -105,7 +105,24 @@ impl Bench<'_> {
         }
     }
 
+    /// The whole process, and then another one that says what its stages took: to say how wrong its picture may be takes time
+    /// that no other peer spends.
     fn ours(&self, files: &Files, device: &[&str], cold: bool) -> Option<Run> {
+        let (whole, _) = timed(&mut self.render(files, device, cold)?)?;
+        let (_, output) = timed(self.render(files, device, cold)?.arg("--stats"))?;
+        let account = String::from_utf8_lossy(&output.stderr).into_owned();
+        Some(Run {
+            whole,
+            prepare: Some(stage(&account, "plan")? + stage(&account, "prepare")?),
+            trace: stage(&account, "trace"),
+            rays: account
+                .lines()
+                .find_map(|line| line.strip_prefix("rays")?.split("in all").next())
+                .and_then(|count| count.trim().replace(',', "").parse().ok()),
+        })
+    }
+
+    fn render(&self, files: &Files, device: &[&str], cold: bool) -> Option<Command> {
         let cache = self.folder.join("cache");
         if cold {
             std::fs::remove_dir_all(&cache).unwrap_or_default();
@@ -118,23 +135,13 @@ impl Bench<'_> {
             .arg("-o")
             .arg(self.folder.join("ours.png"));
         command
-            .args(["--quiet", "--stats", "--size"])
+            .args(["--quiet", "--size"])
             .arg(format!("{}x{}", files.size.0, files.size.1))
             .args(device);
         if cold {
             command.env("POCL_CACHE_DIR", &cache).env("XDG_CACHE_HOME", &cache);
         }
-        let (whole, output) = timed(&mut command)?;
-        let account = String::from_utf8_lossy(&output.stderr).into_owned();
-        Some(Run {
-            whole,
-            prepare: Some(stage(&account, "plan")? + stage(&account, "prepare")?),
-            trace: stage(&account, "trace"),
-            rays: account
-                .lines()
-                .find_map(|line| line.strip_prefix("rays")?.split("in all").next())
-                .and_then(|count| count.trim().replace(',', "").parse().ok()),
-        })
+        Some(command)
     }
 
     /// What `scenec plan` says that the built-in tracer will take to trace, ms.
