@@ -92,7 +92,10 @@ pub(crate) fn trace<R: Lanes, S: Simd>(scene: Stage<'_, R, S>, mut work: Work<'_
         Work::Tile { .. } => R::INFINITY,
         Work::Run { task, .. } => R::of(task.spare),
     };
-    let samples_matter = !matches!(work, Work::Tile { spread: false, .. });
+    let samples_matter = match &work {
+        Work::Tile { spread, .. } => *spread && scene.samples.len() > 1,
+        Work::Run { .. } => true,
+    };
     let sides = SIDES.map(|point| point.map(R::of));
     let sides = match &work {
         Work::Run { task, .. } if task.sides => &sides[..],
@@ -138,7 +141,7 @@ pub(crate) fn trace<R: Lanes, S: Simd>(scene: Stage<'_, R, S>, mut work: Work<'_
             }
         }
         let dropped = match &mut work {
-            Work::Tile { pixels, .. } => {
+            Work::Tile { pixels, spread, .. } => {
                 let dropped = (spent.dropped * share).to_f64();
                 let (leaf, distance) = seen.unwrap_or((NOTHING, R::INFINITY));
                 pixels[number] = Pixel {
@@ -149,7 +152,11 @@ pub(crate) fn trace<R: Lanes, S: Simd>(scene: Stage<'_, R, S>, mut work: Work<'_
                     },
                     leaf,
                     distance,
-                    spread: sampled.map_or_else(Spread::default, |sampled| sampled.spread_with(dropped)),
+                    spread: match sampled {
+                        Some(sampled) => sampled.spread_with(dropped),
+                        None if *spread => Spread::of_one(in_doubles(sum), dropped),
+                        None => Spread::default(),
+                    },
                 };
                 dropped
             }

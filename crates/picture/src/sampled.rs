@@ -23,6 +23,29 @@ pub struct Sampled {
     pub dropped: f64,
 }
 
+impl Spread {
+    /// What one sample tells: nothing of how far others would be apart.
+    #[must_use]
+    pub fn of_one(colour: [f64; 3], dropped: f64) -> Self {
+        let colour = colour.map(|value| value as f32);
+        Self {
+            low: colour,
+            high: colour,
+            error: [f32::INFINITY; 3],
+            dropped: upwards(dropped),
+        }
+    }
+}
+
+/// As a single, and never less: what is proven stays so.
+fn upwards(dropped: f64) -> f32 {
+    if dropped > 0.0 {
+        (dropped as f32).next_up()
+    } else {
+        dropped as f32
+    }
+}
+
 impl Default for Sampled {
     fn default() -> Self {
         Self {
@@ -116,12 +139,7 @@ impl Sampled {
             low: self.low.map(|value| value as f32),
             high: self.high.map(|value| value as f32),
             error: [0, 1, 2].map(|component| self.error(component) as f32),
-            // What is proven stays so.
-            dropped: if dropped > 0.0 {
-                (dropped as f32).next_up()
-            } else {
-                dropped as f32
-            },
+            dropped: upwards(dropped),
         }
     }
 
@@ -142,6 +160,19 @@ impl Sampled {
 #[cfg(test)]
 mod tests {
     use super::Sampled;
+    use crate::Spread;
+
+    #[test]
+    fn one_sample_tells_what_it_would_tell_among_none() {
+        let mut sampled = Sampled::default();
+        sampled.add([0.1, -2.0, 1e300], 0.0);
+        for dropped in [0.0, 0.3] {
+            assert_eq!(
+                sampled.spread_with(dropped),
+                Spread::of_one([0.1, -2.0, 1e300], dropped)
+            );
+        }
+    }
 
     fn of(values: impl IntoIterator<Item = f64>) -> Sampled {
         let mut sampled = Sampled::default();
