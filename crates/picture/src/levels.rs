@@ -30,7 +30,9 @@ impl Transfer {
 /// [`Picture::non_finite`] tells of it.
 pub(crate) fn level(value: f32, transfer: Transfer, top: u16) -> u16 {
     let value = transfer.apply(f64::from(value).clamp(0.0, 1.0));
-    (value * f64::from(top)).round() as u16
+    // Half more, and the cast drops the fraction; it takes what is not a number for 0. Rounding itself would be a call, which for
+    // millions of components takes longer than all else.
+    (value * f64::from(top) + 0.5) as u16
 }
 
 /// One byte a component.
@@ -85,6 +87,23 @@ mod tests {
         }
         check(0.5, linear, 65535, 32768);
         check(1e-5, linear, 65535, 1);
+    }
+
+    #[test]
+    fn between_two_levels_the_nearer_one_is_taken() {
+        for top in [255, u16::MAX] {
+            for below in 0..top {
+                let between = ((f64::from(below) + 0.5) / f64::from(top)) as f32;
+                for value in [between.next_down(), between, between.next_up()] {
+                    let nearest = (f64::from(value) * f64::from(top)).round();
+                    assert_eq!(
+                        f64::from(level(value, Transfer::Linear, top)),
+                        nearest,
+                        "{value} of {top}"
+                    );
+                }
+            }
+        }
     }
 
     #[test]
