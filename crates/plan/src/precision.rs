@@ -122,12 +122,11 @@ impl Plan {
                     .then_some(BeyondSingle::NearlyCoincident { solids: solids.into() })
             })
         };
-        let (first, second) = if self.leaves.len() > MANY {
-            rayon::join(|| crowded(0.0), || crowded(0.5))
-        } else {
-            (crowded(0.0), crowded(0.5))
-        };
-        first.or(second)
+        if self.leaves.len() > MANY {
+            let (first, second) = rayon::join(|| crowded(0.0), || crowded(0.5));
+            return first.or(second);
+        }
+        crowded(0.0).or_else(|| crowded(0.5))
     }
 
     fn shape_of(&self, leaf: u32) -> &Shape {
