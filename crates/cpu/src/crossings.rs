@@ -1,9 +1,10 @@
 //! A part of a tree along one ray: its members' intervals, and where its truth changes.
 
 use scenec_plan::packed_structs::Island;
-use scenec_plan::{Instruction, Packed, Real, evaluate, evaluate_product, owner};
+use scenec_plan::{Instruction, Packed, evaluate, evaluate_product, owner};
 
 use crate::event::Hit;
+use crate::lanes::Lanes;
 use crate::ray::Ray;
 use crate::shape::{Interval, interval};
 
@@ -24,7 +25,7 @@ pub(crate) struct March<R> {
     ahead: R,
 }
 
-impl<R: Real> March<R> {
+impl<R: Lanes> March<R> {
     #[inline(always)]
     pub(crate) fn new(from: R, inside: bool, held: bool, behind: Option<Hit<R>>) -> Self {
         Self {
@@ -63,7 +64,7 @@ pub(crate) fn class_of<R>(scene: &Packed<R>, leaf: u32) -> u32 {
 }
 
 #[inline(always)]
-pub(crate) fn leaf_interval<R: Real>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>) -> Interval<R> {
+pub(crate) fn leaf_interval<R: Lanes>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>) -> Interval<R> {
     let touches = &scene.touches[ray.end.touches as usize..ray.end.touches_end as usize];
     interval(&scene.shapes[scene.leaves[leaf as usize].shape as usize], ray, touches)
 }
@@ -77,7 +78,7 @@ pub(crate) struct Crossings<'a, R> {
     class: u32,
 }
 
-impl<'a, R: Real> Crossings<'a, R> {
+impl<'a, R: Lanes> Crossings<'a, R> {
     #[inline(always)]
     pub(crate) fn new(
         scene: &'a Packed<R>,

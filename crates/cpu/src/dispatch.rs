@@ -4,6 +4,7 @@ use fearless_simd::{Level, Simd};
 use scenec_picture::Stats;
 
 use crate::lanes::Lanes;
+use crate::path::Room;
 use crate::pixel::{self, Work};
 use crate::stage::{Prepared, Stage};
 
@@ -48,14 +49,14 @@ impl Number for f64 {}
 /// somebody asks for a picture.
 pub(crate) trait Traced: Lanes {
     /// Traces some of the window's pixels.
-    fn trace(scene: &Prepared<Self>, work: Work<'_, Self>) -> Stats;
+    fn trace(scene: &Prepared<Self>, work: Work<'_, Self>, room: &mut Room<Self>) -> Stats;
 }
 
 macro_rules! traced {
     ($number:ty) => {
         impl Traced for $number {
-            fn trace(scene: &Prepared<Self>, work: Work<'_, Self>) -> Stats {
-                widest!(scene, stage => pixel::trace(stage, work))
+            fn trace(scene: &Prepared<Self>, work: Work<'_, Self>, room: &mut Room<Self>) -> Stats {
+                widest!(scene, stage => pixel::trace(stage, work, room))
             }
         }
     };

@@ -4,9 +4,10 @@
 //! the whole there, so both ways find the very same crossings.
 
 use scenec_plan::packed_structs::{Cell, Island};
-use scenec_plan::{CELL_FULL, CELL_PART, CELLS_DEPTH, CELLS_REACH, Packed, Real};
+use scenec_plan::{CELL_FULL, CELL_PART, CELLS_DEPTH, CELLS_REACH, Packed};
 
 use crate::crossings::{Crossings, March, class_of, leaf_interval};
+use crate::lanes::Lanes;
 use crate::ray::Ray;
 use crate::shape::Interval;
 
@@ -35,7 +36,7 @@ pub(crate) struct Hit<R> {
 
 /// The first entry into an island after the start of a ray from outside, and not after `until`.
 #[inline(always)]
-pub(crate) fn entered<R: Real>(
+pub(crate) fn entered<R: Lanes>(
     scene: &Packed<R>,
     island: &Island,
     ray: &Ray<R>,
@@ -50,7 +51,7 @@ pub(crate) fn entered<R: Real>(
 
 /// The same of an island that is one leaf.
 #[inline(always)]
-pub(crate) fn entered_leaf<R: Real>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>, until: R) -> Option<Hit<R>> {
+pub(crate) fn entered_leaf<R: Lanes>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>, until: R) -> Option<Hit<R>> {
     let (enter, leave) = leaf_interval(scene, leaf, ray);
     if enter <= R::ZERO {
         // A ray from outside that starts within, by rounding: see `crease`.
@@ -72,7 +73,7 @@ pub(crate) fn entered_leaf<R: Real>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>, 
 
 /// Where a ray leaves an island that holds it at `from`, perhaps infinitely far; nothing if the island does not.
 #[inline(always)]
-pub(crate) fn left<R: Real>(
+pub(crate) fn left<R: Lanes>(
     scene: &Packed<R>,
     island: &Island,
     ray: &Ray<R>,
@@ -94,7 +95,7 @@ pub(crate) fn left<R: Real>(
 
 /// The same of an island that is one leaf.
 #[inline(always)]
-pub(crate) fn left_leaf<R: Real>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>, from: R) -> Option<Hit<R>> {
+pub(crate) fn left_leaf<R: Lanes>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>, from: R) -> Option<Hit<R>> {
     let (enter, leave) = leaf_interval(scene, leaf, ray);
     (enter <= from && from < leave).then_some(Hit {
         distance: leave,
@@ -107,7 +108,7 @@ pub(crate) fn left_leaf<R: Real>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>, fro
 /// The first change of an island after the first distance and not after the second, of a ray that is inside (or not) to
 /// begin with; and whether the island says so too.
 #[inline(always)]
-fn change<R: Real>(
+fn change<R: Lanes>(
     scene: &Packed<R>,
     island: &Island,
     ray: &Ray<R>,
@@ -160,7 +161,7 @@ struct Walk<'a, R> {
     count: usize,
 }
 
-impl<'a, R: Real> Walk<'a, R> {
+impl<'a, R: Lanes> Walk<'a, R> {
     #[inline(always)]
     fn new(scene: &'a Packed<R>, ray: &'a Ray<R>, first: u32, from: R, until: R) -> Self {
         let mut waiting = [(0, R::ZERO); CELLS_DEPTH + 1];

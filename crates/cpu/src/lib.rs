@@ -4,6 +4,7 @@
 
 mod balls;
 mod bands;
+mod contact;
 mod crossings;
 mod dispatch;
 mod event;
@@ -11,6 +12,7 @@ mod hierarchy;
 mod lanes;
 mod path;
 mod pixel;
+mod planes;
 mod ray;
 mod refine;
 mod shade;
@@ -27,6 +29,7 @@ use scenec_plan::Plan;
 use bands::{Band, Layers, bands};
 pub use dispatch::Number;
 use dispatch::Traced;
+use path::Room;
 use pixel::{Pixel, Work};
 use stage::Prepared;
 
@@ -109,7 +112,7 @@ impl<R: Number> Tracer for Cpu<R> {
         let stats = self.threads.install(|| {
             bands
                 .into_par_iter()
-                .map(|band| trace_band(scene, request, band))
+                .map_init(|| Room::new(scene), |room, band| trace_band(scene, request, room, band))
                 .try_reduce(Stats::default, |a, b| Some(a.merge(b)))
         });
         let stats = stats.ok_or(TraceError::Cancelled)?;
@@ -130,7 +133,12 @@ impl<R: Number> Tracer for Cpu<R> {
 }
 
 /// Traces a band tile by tile; nothing if it was stopped.
-fn trace_band<R: Traced>(scene: &Prepared<R>, request: &Request<'_>, mut band: Band<'_>) -> Option<Stats> {
+fn trace_band<R: Traced>(
+    scene: &Prepared<R>,
+    request: &Request<'_>,
+    room: &mut Room<R>,
+    mut band: Band<'_>,
+) -> Option<Stats> {
     let mut stats = Stats::default();
     let mut pixels = Vec::new();
     for tile in band.tiles() {
@@ -144,7 +152,7 @@ fn trace_band<R: Traced>(scene: &Prepared<R>, request: &Request<'_>, mut band: B
             spread: request.layers.spread,
             pixels: &mut pixels,
         };
-        stats = stats.merge(R::trace(scene, work));
+        stats = stats.merge(R::trace(scene, work, room));
         band.store(&tile, &pixels, &scene.leaves);
         request.watch.advance(pixels.len() as u64);
     }

@@ -1,7 +1,8 @@
-//! A ray and the surface that it leaves.
+//! Rays and the surfaces that they leave, one by one and eight at once.
 
 use scenec_plan::Real;
 
+use crate::lanes::{LANES, Triple, lane3, set3};
 use crate::vector::Vector;
 
 /// A half-line, with what is known exactly about its start.
@@ -35,6 +36,75 @@ pub(crate) struct End<R> {
     pub(crate) touches_end: u32,
 }
 
+/// Up to eight rays, which end at the same light if at any. A bit tells of a lane what a `bool` tells of a [`Ray`].
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub(crate) struct Rays<R> {
+    pub(crate) origin: Triple<R>,
+    pub(crate) direction: Triple<R>,
+    pub(crate) local: Triple<R>,
+    /// How far the light is.
+    pub(crate) end: [R; LANES],
+    pub(crate) class: [u32; LANES],
+    pub(crate) into: u32,
+    pub(crate) inside: u32,
+    /// First of the light's touches.
+    pub(crate) touches: u32,
+    /// One past the last of them.
+    pub(crate) touches_end: u32,
+}
+
+impl<R: Real> Rays<R> {
+    /// Room for rays that run to no light.
+    pub(crate) const EMPTY: Self = Self {
+        origin: [[R::ZERO; LANES]; 3],
+        direction: [[R::ZERO; LANES]; 3],
+        local: [[R::ZERO; LANES]; 3],
+        end: [R::INFINITY; LANES],
+        class: [u32::MAX; LANES],
+        into: 0,
+        inside: 0,
+        touches: 0,
+        touches_end: 0,
+    };
+
+    /// One of them.
+    #[inline(always)]
+    pub(crate) const fn get(&self, lane: usize) -> Ray<R> {
+        Ray {
+            origin: lane3(&self.origin, lane),
+            direction: lane3(&self.direction, lane),
+            local: lane3(&self.local, lane),
+            class: self.class[lane],
+            into: self.into >> lane & 1 == 1,
+            inside: self.inside >> lane & 1 == 1,
+            end: End {
+                distance: self.end[lane],
+                touches: self.touches,
+                touches_end: self.touches_end,
+            },
+        }
+    }
+
+    /// Changes one of them.
+    #[inline(always)]
+    pub(crate) fn set(&mut self, lane: usize, ray: &Ray<R>) {
+        set3(&mut self.origin, lane, ray.origin);
+        set3(&mut self.direction, lane, ray.direction);
+        set3(&mut self.local, lane, ray.local);
+        self.class[lane] = ray.class;
+        let bit = 1 << lane;
+        self.into = self.into & !bit | u32::from(ray.into) << lane;
+        self.inside = self.inside & !bit | u32::from(ray.inside) << lane;
+    }
+
+    /// Whether the light that they run to lies on a surface.
+    #[inline(always)]
+    pub(crate) const fn is_touching(&self) -> bool {
+        self.touches != self.touches_end
+    }
+}
+
 impl<R: Real> End<R> {
     /// The end of a ray that runs to no light.
     pub(crate) const NONE: Self = Self {
@@ -42,10 +112,4 @@ impl<R: Real> End<R> {
         touches: 0,
         touches_end: 0,
     };
-
-    /// Whether it lies on a surface.
-    #[inline(always)]
-    pub(crate) const fn is_touching(&self) -> bool {
-        self.touches != self.touches_end
-    }
 }

@@ -5,10 +5,12 @@ use scenec_picture::{Limits, Refined, Refiner, Stats, Task, TraceError, Watch, W
 
 use crate::Cpu;
 use crate::dispatch::Number;
+use crate::path::Room;
 use crate::pixel::Work;
 
-/// A thread takes this many pixels at a time: few, for one of them may need thousands of samples.
-const RUN: usize = 8;
+/// A thread takes this many pixels at a time: more than come in one go, for some have enough soon; few, for one of them may need
+/// thousands of samples.
+const RUN: usize = 16;
 
 impl<R: Number> Refiner for Cpu<R> {
     fn refine(
@@ -22,16 +24,17 @@ impl<R: Number> Refiner for Cpu<R> {
         self.scene.frame.ask(corner, size, limits.cutoff, limits.ray_budget);
         let scene = &self.scene;
         let mut refined = vec![Refined::default(); task.pixels.len()];
-        let run = |(number, pixels): (usize, &mut [Refined])| {
+        let run = |room: &mut Room<R>, (number, pixels): (usize, &mut [Refined])| {
             let stats = (!watch.stopped()).then(|| {
                 let first = number * RUN;
-                R::trace(scene, Work::Run { task, first, pixels })
+                R::trace(scene, Work::Run { task, first, pixels }, room)
             });
             stats.filter(|_| !watch.stopped())
         };
         let stats = self.threads.install(|| {
             let runs = refined.par_chunks_mut(RUN).enumerate();
-            runs.map(run).try_reduce(Stats::default, |a, b| Some(a.merge(b)))
+            runs.map_init(|| Room::new(scene), run)
+                .try_reduce(Stats::default, |a, b| Some(a.merge(b)))
         });
         Ok((refined, stats.ok_or(TraceError::Cancelled)?))
     }

@@ -1,44 +1,128 @@
-//! Three numbers.
+//! Three numbers, or three times eight of them: the same operations in the same order, so the same bits.
 
-use scenec_plan::Real;
+use std::ops::{Add, Div, Mul, Neg, Sub};
 
-pub(crate) type Vector<R> = [R; 3];
+use fearless_simd::{Simd, SimdBase, SimdFloat, f32x8, f64x8};
+
+/// What a formula needs of a number, be it one or eight at once.
+pub(crate) trait Arithmetic:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
+{
+    /// self * by + more, rounded once.
+    fn fused(self, by: Self, more: Self) -> Self;
+    /// Square root.
+    fn root(self) -> Self;
+    /// 1 / self.
+    fn inverse(self) -> Self;
+    /// Without its sign.
+    fn size(self) -> Self;
+    /// 1.
+    fn one(self) -> Self;
+}
+
+macro_rules! one {
+    ($number:ty) => {
+        impl Arithmetic for $number {
+            #[inline(always)]
+            fn fused(self, by: Self, more: Self) -> Self {
+                self.mul_add(by, more)
+            }
+            #[inline(always)]
+            fn root(self) -> Self {
+                self.sqrt()
+            }
+            #[inline(always)]
+            fn inverse(self) -> Self {
+                1.0 / self
+            }
+            #[inline(always)]
+            fn size(self) -> Self {
+                self.abs()
+            }
+            #[inline(always)]
+            fn one(self) -> Self {
+                1.0
+            }
+        }
+    };
+}
+
+macro_rules! eight {
+    ($eight:ident) => {
+        impl<S: Simd> Arithmetic for $eight<S> {
+            #[inline(always)]
+            fn fused(self, by: Self, more: Self) -> Self {
+                self.mul_add_precise(by, more)
+            }
+            #[inline(always)]
+            fn root(self) -> Self {
+                SimdFloat::sqrt(self)
+            }
+            #[inline(always)]
+            fn inverse(self) -> Self {
+                self.one() / self
+            }
+            #[inline(always)]
+            fn size(self) -> Self {
+                self.abs()
+            }
+            #[inline(always)]
+            fn one(self) -> Self {
+                Self::splat(self.simd, 1.0)
+            }
+        }
+    };
+}
+
+one!(f32);
+one!(f64);
+eight!(f32x8);
+eight!(f64x8);
+
+pub(crate) type Vector<A> = [A; 3];
 
 #[inline(always)]
-pub(crate) fn add<R: Real>(a: Vector<R>, b: Vector<R>) -> Vector<R> {
+pub(crate) fn add<A: Arithmetic>(a: Vector<A>, b: Vector<A>) -> Vector<A> {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
 #[inline(always)]
-pub(crate) fn sub<R: Real>(a: Vector<R>, b: Vector<R>) -> Vector<R> {
+pub(crate) fn sub<A: Arithmetic>(a: Vector<A>, b: Vector<A>) -> Vector<A> {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 #[inline(always)]
-pub(crate) fn scale<R: Real>(a: Vector<R>, by: R) -> Vector<R> {
+pub(crate) fn scale<A: Arithmetic>(a: Vector<A>, by: A) -> Vector<A> {
     [a[0] * by, a[1] * by, a[2] * by]
 }
 
 /// a * by + b, each component rounded once.
 #[inline(always)]
-pub(crate) fn fma<R: Real>(a: Vector<R>, by: R, b: Vector<R>) -> Vector<R> {
-    [a[0].fma(by, b[0]), a[1].fma(by, b[1]), a[2].fma(by, b[2])]
+pub(crate) fn fma<A: Arithmetic>(a: Vector<A>, by: A, b: Vector<A>) -> Vector<A> {
+    [a[0].fused(by, b[0]), a[1].fused(by, b[1]), a[2].fused(by, b[2])]
 }
 
 #[inline(always)]
-pub(crate) fn dot<R: Real>(a: Vector<R>, b: Vector<R>) -> R {
-    a[0].fma(b[0], a[1].fma(b[1], a[2] * b[2]))
+pub(crate) fn dot<A: Arithmetic>(a: Vector<A>, b: Vector<A>) -> A {
+    a[0].fused(b[0], a[1].fused(b[1], a[2] * b[2]))
 }
 
 /// The vector of length 1 in this direction; the caller knows that its square neither overflows nor vanishes.
 #[inline(always)]
-pub(crate) fn normalize<R: Real>(a: Vector<R>) -> Vector<R> {
-    scale(a, R::ONE / dot(a, a).sqrt())
+pub(crate) fn normalize<A: Arithmetic>(a: Vector<A>) -> Vector<A> {
+    scale(a, dot(a, a).root().inverse())
+}
+
+/// The direction that a mirror sends a ray; renormalised, so that long paths do not drift.
+#[inline(always)]
+pub(crate) fn reflect<A: Arithmetic>(direction: Vector<A>, normal: Vector<A>) -> Vector<A> {
+    let towards = dot(direction, normal);
+    normalize(fma(normal, -(towards + towards), direction))
 }
 
 /// Rows times vector.
 #[inline(always)]
-pub(crate) fn rows<R: Real>(m: &[R; 9], v: Vector<R>) -> Vector<R> {
+pub(crate) fn rows<A: Arithmetic>(m: &[A; 9], v: Vector<A>) -> Vector<A> {
     [
         dot([m[0], m[1], m[2]], v),
         dot([m[3], m[4], m[5]], v),
@@ -48,7 +132,7 @@ pub(crate) fn rows<R: Real>(m: &[R; 9], v: Vector<R>) -> Vector<R> {
 
 /// Columns times vector: the transpose of the rows.
 #[inline(always)]
-pub(crate) fn columns<R: Real>(m: &[R; 9], v: Vector<R>) -> Vector<R> {
+pub(crate) fn columns<A: Arithmetic>(m: &[A; 9], v: Vector<A>) -> Vector<A> {
     [
         dot([m[0], m[3], m[6]], v),
         dot([m[1], m[4], m[7]], v),
@@ -57,6 +141,6 @@ pub(crate) fn columns<R: Real>(m: &[R; 9], v: Vector<R>) -> Vector<R> {
 }
 
 #[inline(always)]
-pub(crate) fn neg<R: Real>(a: Vector<R>) -> Vector<R> {
+pub(crate) fn neg<A: Arithmetic>(a: Vector<A>) -> Vector<A> {
     [-a[0], -a[1], -a[2]]
 }

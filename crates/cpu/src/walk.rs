@@ -1,27 +1,41 @@
-//! The way of one ray through the wide hierarchy.
+//! The way of up to eight rays through the wide hierarchy: each step is taken once by all that take it, so that none of them
+//! waits for its own results.
 
-use fearless_simd::{Simd, SimdBase};
+use fearless_simd::{Select, Simd, SimdBase};
 use scenec_plan::packed_structs::{Island, WideNode};
 use scenec_plan::{Child, HIERARCHY_DEPTH, Kind, Real};
 
-use crate::balls::Line;
-use crate::lanes::{LANES, Lanes, Set, Vector8, bits, splat, splat3};
-use crate::ray::Ray;
+use crate::lanes::{LANES, Lanes, Set, Triple, bits, load, splat, store3, turned};
+use crate::ray::Rays;
 use crate::stage::Stage;
 
 /// Room for the children that wait, in [`Waiting`]: on each level of the hierarchy all but one of a node's.
 const ROOM: usize = (HIERARCHY_DEPTH * LANES).next_power_of_two();
 
-/// Children that wait, each with the distance at which the ray enters it.
+/// A child and the rays that are to go there.
+#[derive(Clone, Copy)]
+struct Step<R> {
+    /// No ray enters it before this distance.
+    entry: R,
+    child: Child,
+    lanes: u32,
+}
+
+/// Steps that wait.
 pub(crate) struct Waiting<R> {
-    list: Box<[(R, Child); ROOM]>,
+    list: Box<[Step<R>; ROOM]>,
     count: usize,
 }
 
 impl<R: Real> Waiting<R> {
     pub(crate) fn new() -> Self {
+        let nothing = Step {
+            entry: R::ZERO,
+            child: Child::NONE,
+            lanes: 0,
+        };
         Self {
-            list: Box::new([(R::ZERO, Child::NONE); ROOM]),
+            list: Box::new([nothing; ROOM]),
             count: 0,
         }
     }
@@ -33,8 +47,8 @@ impl<R: Real> Waiting<R> {
     }
 
     #[inline(always)]
-    fn push(&mut self, entry: R, child: Child) {
-        self.list[Self::at(self.count)] = (entry, child);
+    const fn push(&mut self, step: Step<R>) {
+        self.list[Self::at(self.count)] = step;
         self.count += 1;
     }
 
@@ -43,7 +57,7 @@ impl<R: Real> Waiting<R> {
     fn sink(&mut self, base: usize) {
         let mut at = self.count - 1;
         let sinking = self.list[Self::at(at)];
-        while at > base && self.list[Self::at(at - 1)].0 < sinking.0 {
+        while at > base && self.list[Self::at(at - 1)].entry < sinking.entry {
             self.list[Self::at(at)] = self.list[Self::at(at - 1)];
             at -= 1;
         }
@@ -51,30 +65,33 @@ impl<R: Real> Waiting<R> {
     }
 
     #[inline(always)]
-    fn pop(&mut self) -> Option<(R, Child)> {
-        self.count = self.count.checked_sub(1)?;
+    const fn pop(&mut self) -> Option<Step<R>> {
+        if self.count == 0 {
+            return None;
+        }
+        self.count -= 1;
         Some(self.list[Self::at(self.count)])
     }
 }
 
-/// Is shown what the ray may meet.
+/// Is shown what rays may meet.
 pub(crate) trait Visitor<R: Lanes, S: Simd> {
     /// Whether it gains from seeing near things first.
     const NEAR_FIRST: bool;
-    /// Beyond this distance nothing matters.
-    fn until(&self) -> R;
-    /// The balls of a block; whether it has seen enough.
-    fn block(&mut self, line: &Line<R, S>, number: usize) -> bool;
-    /// An island; whether it has seen enough.
-    fn island(&mut self, island: &Island) -> bool;
+    /// Beyond these distances nothing matters.
+    fn until(&self) -> &[R; LANES];
+    /// The balls of a block, to these rays; which of them have seen enough.
+    fn block(&mut self, lanes: u32, number: usize) -> u32;
+    /// An island; which rays have seen enough.
+    fn island(&mut self, lanes: u32, island: &Island) -> u32;
 }
 
-/// Shows the visitor everything that the ray may meet at a distance from `from` up to what the visitor says, first `guess`.
-/// Returns the child of the hierarchy that was enough for it, if one was.
+/// Shows the visitor everything that some of the rays may meet at a distance from `from` up to what the visitor says, first
+/// `guess`. Returns the last child of the hierarchy that was enough for any of them.
 #[inline(always)]
 pub(crate) fn walk<R: Lanes, S: Simd, V: Visitor<R, S>>(
     stage: Stage<'_, R, S>,
-    ray: &Ray<R>,
+    (rays, mut lanes): (&Rays<R>, u32),
     from: R,
     guess: Option<Child>,
     waiting: &mut Waiting<R>,
@@ -82,17 +99,23 @@ pub(crate) fn walk<R: Lanes, S: Simd, V: Visitor<R, S>>(
 ) -> Option<Child> {
     let (outside, root) = stage.wide.start.split_at(stage.wide.outside);
     for child in outside {
-        if show(stage, ray, *child, visitor) {
-            return None;
+        if lanes != 0 {
+            lanes &= !show(stage, lanes, *child, visitor);
         }
     }
     let root = *root.first()?;
+    let mut found = None;
     if let Some(child) = guess
-        && show(stage, ray, child, visitor)
+        && lanes != 0
     {
-        return guess;
+        let enough = show(stage, lanes, child, visitor);
+        lanes &= !enough;
+        found = (enough != 0).then_some(child);
     }
-    descend(stage, ray, from, root, waiting, visitor)
+    if lanes == 0 {
+        return found;
+    }
+    descend(stage, (rays, lanes), from, root, waiting, visitor).or(found)
 }
 
 /// The same of the hierarchy alone.
@@ -100,7 +123,7 @@ pub(crate) fn walk<R: Lanes, S: Simd, V: Visitor<R, S>>(
 #[inline(never)]
 fn descend<R: Lanes, S: Simd, V: Visitor<R, S>>(
     stage: Stage<'_, R, S>,
-    ray: &Ray<R>,
+    (rays, mut open): (&Rays<R>, u32),
     from: R,
     root: Child,
     waiting: &mut Waiting<R>,
@@ -109,133 +132,164 @@ fn descend<R: Lanes, S: Simd, V: Visitor<R, S>>(
     stage.simd.vectorize(
         #[inline(always)]
         || {
-            let line = Line::new(stage.simd, ray);
-            let slabs = Slabs::new(stage.simd, ray, from);
+            let slabs = Slabs::new(stage.simd, rays, from);
             waiting.count = 0;
-            let mut next = Some(root);
-            while let Some(child) = next {
-                next = match child.kind() {
-                    Kind::Node(index) => slabs.next(&line, &stage.wide.nodes[index], visitor, waiting),
-                    Kind::Block(index) if visitor.block(&line, index) => return Some(child),
-                    Kind::Run(_) if show(stage, ray, child, visitor) => return Some(child),
-                    _ => None,
+            let mut found = None;
+            let mut next = Some((root, open));
+            while let Some((child, lanes)) = next {
+                next = if let Kind::Node(index) = child.kind() {
+                    slabs.next(lanes, &stage.wide.nodes[index], visitor, waiting)
+                } else {
+                    let enough = show(stage, lanes, child, visitor);
+                    if enough != 0 {
+                        found = Some(child);
+                        open &= !enough;
+                        if open == 0 {
+                            return found;
+                        }
+                    }
+                    None
                 };
                 while next.is_none() {
-                    let (entry, child) = waiting.pop()?;
-                    // The visitor may have come nearer since this was put aside.
-                    next = (!V::NEAR_FIRST || entry <= visitor.until() * slack::<R>()).then_some(child);
+                    let Some(Step { entry, child, lanes }) = waiting.pop() else {
+                        return found;
+                    };
+                    let mut lanes = lanes & open;
+                    if V::NEAR_FIRST {
+                        // The visitor may have come nearer since this was put aside.
+                        let until = load::<R, S>(stage.simd, visitor.until()) * splat::<R, S>(stage.simd, slack());
+                        lanes &= bits(splat::<R, S>(stage.simd, entry).simd_le(until));
+                    }
+                    next = (lanes != 0).then_some((child, lanes));
                 }
             }
-            None
+            found
         },
     )
 }
 
-/// Shows the visitor what is in a block or run; whether it has seen enough.
+/// Shows the visitor what is in a block or run; which rays have seen enough.
 #[inline(always)]
-fn show<R: Lanes, S: Simd, V: Visitor<R, S>>(
-    stage: Stage<'_, R, S>,
-    ray: &Ray<R>,
-    child: Child,
-    visitor: &mut V,
-) -> bool {
+fn show<R: Lanes, S: Simd, V: Visitor<R, S>>(stage: Stage<'_, R, S>, lanes: u32, child: Child, visitor: &mut V) -> u32 {
     match child.kind() {
-        Kind::Block(index) => visitor.block(&Line::new(stage.simd, ray), index),
+        Kind::Block(index) => visitor.block(lanes, index),
         Kind::Run(index) => {
             let [first, end] = stage.wide.runs[index];
-            let mut enough = false;
+            let mut enough = 0;
             for island in &stage.islands[first as usize..end as usize] {
-                enough = enough || visitor.island(island);
+                if lanes & !enough != 0 {
+                    enough |= visitor.island(lanes & !enough, island);
+                }
             }
             enough
         }
-        Kind::Node(_) => false,
+        Kind::Node(_) => 0,
     }
 }
 
-/// What a ray needs for boxes.
-struct Slabs<R: Lanes, S: Simd> {
-    inverse: Vector8<R, S>,
-    /// By axis, which corner the ray comes to first.
-    near: [usize; 3],
+/// What rays need for boxes.
+struct Slabs<'a, R, S> {
+    simd: S,
+    origin: &'a Triple<R>,
+    inverse: Triple<R>,
+    /// By axis, the rays that come to the upper corner first.
+    downwards: [u32; 3],
     from: R,
 }
 
-impl<R: Lanes, S: Simd> Slabs<R, S> {
+impl<'a, R: Lanes, S: Simd> Slabs<'a, R, S> {
     /// No component of the direction counts as smaller than the largest number's inverse, so that no product is 0 times
     /// infinity. Boxes are wider than what is in them, so that a ray along a face meets nothing there.
     #[inline(always)]
-    fn new(simd: S, ray: &Ray<R>, from: R) -> Self {
-        let largest = R::of_f32(f32::MAX);
-        let [x, y, z] = ray.direction;
-        let inverse = [
-            (R::ONE / x).max(-largest).min(largest),
-            (R::ONE / y).max(-largest).min(largest),
-            (R::ONE / z).max(-largest).min(largest),
-        ];
+    fn new(simd: S, rays: &'a Rays<R>, from: R) -> Self {
+        let largest = splat::<R, S>(simd, R::of_f32(f32::MAX));
+        let (zero, one) = (splat::<R, S>(simd, R::ZERO), splat::<R, S>(simd, R::ONE));
+        let (mut inverse, mut downwards) = ([zero; 3], [0; 3]);
+        for axis in 0..3 {
+            inverse[axis] = (one / load::<R, S>(simd, &rays.direction[axis]))
+                .max(-largest)
+                .min(largest);
+            downwards[axis] = bits(inverse[axis].simd_lt(zero));
+        }
         Self {
-            inverse: splat3(simd, inverse),
-            near: [
-                usize::from(inverse[0] < R::ZERO),
-                usize::from(inverse[1] < R::ZERO),
-                usize::from(inverse[2] < R::ZERO),
-            ],
+            simd,
+            origin: &rays.origin,
+            inverse: store3(inverse),
+            downwards,
             from,
         }
     }
 
-    /// The child to go on with; others wait.
+    /// The child to go on with, and which rays do; others wait.
     #[inline(always)]
     fn next<V: Visitor<R, S>>(
         &self,
-        line: &Line<R, S>,
+        lanes: u32,
         node: &WideNode,
         visitor: &V,
         waiting: &mut Waiting<R>,
-    ) -> Option<Child> {
-        let (met, entry) = self.meets(line, node, visitor.until());
-        let mut met = Set(met);
+    ) -> Option<(Child, u32)> {
+        let mut entry = splat::<R, S>(self.simd, R::INFINITY);
+        // Which boxes a ray meets, a byte to each.
+        let (mut sets, mut any) = (0, 0);
+        for lane in Set(lanes) {
+            let met = self.meets(lane, node, visitor.until()[lane], &mut entry);
+            any |= met;
+            sets |= u64::from(met) << (LANES * lane);
+        }
+        // And which rays meet a box.
+        let sets = turned(sets);
+        let to = |child: usize| (sets >> (LANES * child)) as u32 & 0xff;
+        let mut met = Set(any);
         let first = met.next()?;
         if met.0 == 0 {
-            return Some(node.children[first]);
+            return Some((node.children[first], to(first)));
         }
         let entry = entry.to_array();
         let base = waiting.count;
-        waiting.push(entry[first], node.children[first]);
-        for lane in met {
-            waiting.push(entry[lane], node.children[lane]);
+        for child in Set(any) {
+            waiting.push(Step {
+                entry: entry[child],
+                child: node.children[child],
+                lanes: to(child),
+            });
             if V::NEAR_FIRST {
                 waiting.sink(base);
             }
         }
-        let (_, next) = waiting.pop()?;
-        Some(next)
+        waiting.pop().map(|step| (step.child, step.lanes))
     }
 
-    /// Which boxes the ray is in somewhere between `from` and `until`, and where it enters them.
+    /// Which boxes a ray is in somewhere between `from` and `until`; lowers to where it enters them.
     #[inline(always)]
-    fn meets(&self, line: &Line<R, S>, node: &WideNode, until: R) -> (u32, R::Eight<S>) {
-        let [i, j, k] = self.near;
+    fn meets(&self, lane: usize, node: &WideNode, until: R, entry: &mut R::Eight<S>) -> u32 {
+        let simd = self.simd;
+        let corner = |axis: usize| (self.downwards[axis] >> lane & 1) as usize;
+        let (i, j, k) = (corner(0), corner(1), corner(2));
         let (x, y, z) = (
-            self.to(line, node, i, 0),
-            self.to(line, node, j, 1),
-            self.to(line, node, k, 2),
+            self.to(lane, node, i, 0),
+            self.to(lane, node, j, 1),
+            self.to(lane, node, k, 2),
         );
-        let near = x.max(y).max(z.max(splat::<R, S>(line.simd, self.from)));
+        let near = x.max(y).max(z.max(splat::<R, S>(simd, self.from)));
         let (x, y, z) = (
-            self.to(line, node, 1 - i, 0),
-            self.to(line, node, 1 - j, 1),
-            self.to(line, node, 1 - k, 2),
+            self.to(lane, node, 1 - i, 0),
+            self.to(lane, node, 1 - j, 1),
+            self.to(lane, node, 1 - k, 2),
         );
-        let widened = splat::<R, S>(line.simd, slack());
-        let far = x.min(y).min(z.min(splat::<R, S>(line.simd, until))) * widened;
-        (bits(near.simd_le(far)), near)
+        let widened = splat::<R, S>(simd, slack());
+        let far = x.min(y).min(z.min(splat::<R, S>(simd, until))) * widened;
+        let met = near.simd_le(far);
+        *entry = entry.min(met.select(near, *entry));
+        bits(met)
     }
 
     /// The distances to one side of the boxes: of their lower or upper corner, across an axis.
     #[inline(always)]
-    fn to(&self, line: &Line<R, S>, node: &WideNode, corner: usize, axis: usize) -> R::Eight<S> {
-        (R::of_singles(line.simd, &node.bounds[corner][axis]) - line.origin[axis]) * self.inverse[axis]
+    fn to(&self, lane: usize, node: &WideNode, corner: usize, axis: usize) -> R::Eight<S> {
+        let origin = splat::<R, S>(self.simd, self.origin[axis][lane]);
+        (R::of_singles(self.simd, &node.bounds[corner][axis]) - origin)
+            * splat::<R, S>(self.simd, self.inverse[axis][lane])
     }
 }
 
