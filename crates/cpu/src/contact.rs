@@ -2,11 +2,10 @@
 
 use fearless_simd::Simd;
 
-use crate::event::Ball;
-use crate::hierarchy::Hits;
+use crate::hits::{Ball, Hits};
 use crate::lanes::{LANES, Lanes, Set, Triple, Vector8, lane3, load, load3, select, select3, set3, store3};
 use crate::ray::{End, Ray, Rays};
-use crate::shape::{HALF_SPACE, approach, on_ellipsoid, plane_normal};
+use crate::shape::{BALL, HALF_SPACE, approach, on_ellipsoid, plane_normal};
 use crate::stage::Stage;
 use crate::vector::{add, dot, fma, neg, normalize, scale, sub};
 
@@ -91,32 +90,31 @@ impl<R: Lanes> Contacts<R> {
         surfaces: &mut Surfaces<R>,
     ) -> u32 {
         let bit = 1 << lane;
+        let (kind, centre, [inverse, radius], class, material);
         if let Some(Ball { block, lane: place }) = hits.ball(lane) {
             let (block, place) = (&stage.wide.blocks[block as usize], place as usize % LANES);
-            set3(&mut surfaces.centre, lane, lane3(&block.centre, place));
-            surfaces.inverse[lane] = block.inverse[place];
-            surfaces.radius[lane] = block.radius[place];
-            surfaces.balls |= bit;
-            (self.class[lane], self.material[lane]) = (block.class[place], block.material[place]);
-            surfaces.own |= u32::from(self.class[lane] == rays.class[lane]) << lane;
-            return 0;
+            (kind, centre) = (BALL, lane3(&block.centre, place));
+            [inverse, radius] = [block.inverse[place], block.radius[place]];
+            (class, material) = (block.class[place], block.material[place]);
+        } else {
+            let leaf = &stage.leaves[hits.leaf[lane] as usize];
+            let shape = &stage.shapes[leaf.shape as usize];
+            (kind, centre) = (shape.kind, shape.centre);
+            [inverse, radius] = [shape.inverse[0], shape.linear[0]];
+            (class, material) = (shape.class, leaf.material);
+            set3(&mut surfaces.outward, lane, plane_normal(shape));
         }
-        let leaf = &stage.leaves[hits.leaf[lane] as usize];
-        let shape = &stage.shapes[leaf.shape as usize];
-        (self.class[lane], self.material[lane]) = (shape.class, leaf.material);
-        match shape.kind {
-            HALF_SPACE => {
-                set3(&mut surfaces.centre, lane, shape.centre);
-                set3(&mut surfaces.outward, lane, plane_normal(shape));
-                self.flat |= bit;
+        (self.class[lane], self.material[lane]) = (class, material);
+        set3(&mut surfaces.centre, lane, centre);
+        match kind {
+            BALL => {
+                (surfaces.inverse[lane], surfaces.radius[lane]) = (inverse, radius);
+                surfaces.balls |= bit;
+                surfaces.own |= u32::from(class == rays.class[lane]) << lane;
                 0
             }
-            crate::shape::BALL => {
-                set3(&mut surfaces.centre, lane, shape.centre);
-                surfaces.inverse[lane] = shape.inverse[0];
-                surfaces.radius[lane] = shape.linear[0];
-                surfaces.balls |= bit;
-                surfaces.own |= u32::from(self.class[lane] == rays.class[lane]) << lane;
+            HALF_SPACE => {
+                self.flat |= bit;
                 0
             }
             _ => bit,

@@ -3,7 +3,7 @@
 use scenec_plan::packed_structs::Island;
 use scenec_plan::{Instruction, Packed, evaluate, evaluate_product, owner};
 
-use crate::event::Hit;
+use crate::hits::Hit;
 use crate::lanes::Lanes;
 use crate::ray::Ray;
 use crate::shape::{Interval, interval};

@@ -7,32 +7,13 @@ use scenec_plan::packed_structs::{Cell, Island};
 use scenec_plan::{CELL_FULL, CELL_PART, CELLS_DEPTH, CELLS_REACH, Packed};
 
 use crate::crossings::{Crossings, March, class_of, leaf_interval};
+use crate::hits::Hit;
 use crate::lanes::Lanes;
 use crate::ray::Ray;
 use crate::shape::Interval;
 
 /// No cells.
 const NONE: u32 = u32::MAX;
-
-/// Where a ball is: its block and its lane there.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Ball {
-    pub(crate) block: u32,
-    pub(crate) lane: u32,
-}
-
-/// A crossing.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Hit<R> {
-    /// Along the ray.
-    pub(crate) distance: R,
-    /// The leaf that owns the surface there.
-    pub(crate) leaf: u32,
-    /// Whether the ray leaves that leaf (not: the solid).
-    pub(crate) leaving: bool,
-    /// If the leaf is a ball of a block: the block's number and the lane.
-    pub(crate) ball: Option<Ball>,
-}
 
 /// The first entry into an island after the start of a ray from outside, and not after `until`.
 #[inline(always)]

@@ -9,6 +9,7 @@ mod crossings;
 mod dispatch;
 mod event;
 mod hierarchy;
+mod hits;
 mod lanes;
 mod path;
 mod pixel;
@@ -19,6 +20,7 @@ mod shade;
 mod shape;
 mod stage;
 mod vector;
+mod visitors;
 mod walk;
 
 use rayon::ThreadPool;

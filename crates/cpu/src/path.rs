@@ -9,7 +9,8 @@ use scenec_plan::Real;
 use scenec_plan::packed_structs::Material;
 
 use crate::contact::Contacts;
-use crate::hierarchy::{self, Hits, Scratch};
+use crate::hierarchy::{self, Scratch};
+use crate::hits::Hits;
 use crate::lanes::{LANES, Lanes, Set, Triple, lane3, load3, store3};
 use crate::ray::{Ray, Rays};
 use crate::shade;

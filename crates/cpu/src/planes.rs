@@ -5,7 +5,7 @@ use scenec_plan::Packed;
 use scenec_plan::packed_structs::{Island, Shape};
 
 use crate::balls::equal;
-use crate::event::Hit;
+use crate::hits::Hit;
 use crate::lanes::{LANES, Lanes, bits, load, load3, select, splat, splat3};
 use crate::ray::Rays;
 use crate::shape::{HALF_SPACE, Slope, parallel, plane_normal, slope};

@@ -80,9 +80,9 @@ pub(crate) trait Visitor<R: Lanes, S: Simd> {
     const NEAR_FIRST: bool;
     /// Beyond these distances nothing matters.
     fn until(&self) -> &[R; LANES];
-    /// The balls of a block, to these rays; which of them have seen enough.
+    /// The balls of a block, to these rays; which rays have seen enough, these and any others.
     fn block(&mut self, lanes: u32, number: usize) -> u32;
-    /// An island; which rays have seen enough.
+    /// An island; the same.
     fn island(&mut self, lanes: u32, island: &Island) -> u32;
 }
 
@@ -168,23 +168,23 @@ fn descend<R: Lanes, S: Simd, V: Visitor<R, S>>(
     )
 }
 
-/// Shows the visitor what is in a block or run; which rays have seen enough.
+/// Shows the visitor what is in a block or run; which of the rays have seen enough.
 #[inline(always)]
 fn show<R: Lanes, S: Simd, V: Visitor<R, S>>(stage: Stage<'_, R, S>, lanes: u32, child: Child, visitor: &mut V) -> u32 {
+    let mut enough = 0;
     match child.kind() {
-        Kind::Block(index) => visitor.block(lanes, index),
+        Kind::Block(index) => enough = visitor.block(lanes, index),
         Kind::Run(index) => {
             let [first, end] = stage.wide.runs[index];
-            let mut enough = 0;
             for island in &stage.islands[first as usize..end as usize] {
                 if lanes & !enough != 0 {
                     enough |= visitor.island(lanes & !enough, island);
                 }
             }
-            enough
         }
-        Kind::Node(_) => 0,
+        Kind::Node(_) => {}
     }
+    enough & lanes
 }
 
 /// What rays need for boxes.
