@@ -4,9 +4,9 @@
 use fearless_simd::{Simd, SimdBase};
 use scenec_plan::packed_structs::Block;
 
-use crate::lanes::{LANES, Lanes, Vector8, bits, lane3, load, load3, splat, splat3};
+use crate::lanes::{LANES, Lanes, Vector8, bits, lane3, load, load3, select, splat, splat3};
 use crate::ray::Rays;
-use crate::shape::approach;
+use crate::shape::{Approach, approach, other_root};
 use crate::vector::{Arithmetic, dot, fma, scale, sub};
 
 /// A bit for each lane.
@@ -18,14 +18,16 @@ pub(crate) struct Pairs<R: Lanes, S: Simd> {
     /// From the centres to where the rays start.
     start: Vector8<R, S>,
     direction: Vector8<R, S>,
+    /// Of balls that rays start on: where on the unit sphere.
+    local: Vector8<R, S>,
     /// The square of the radius and a thousandth more.
     reach: R::Eight<S>,
     /// 1 / radius.
     inverse: R::Eight<S>,
     /// Which lanes there are, but for balls that rays start on, ...
     others: u32,
-    /// ... and those.
-    own: u32,
+    /// ... and those that their rays run into.
+    into: u32,
 }
 
 impl<R: Lanes, S: Simd> Pairs<R, S> {
@@ -37,10 +39,11 @@ impl<R: Lanes, S: Simd> Pairs<R, S> {
             simd,
             start: sub(splat3(simd, lane3(&rays.origin, lane)), load3(simd, &block.centre)),
             direction: splat3(simd, lane3(&rays.direction, lane)),
+            local: splat3(simd, lane3(&rays.local, lane)),
             reach: load::<R, S>(simd, &block.reach),
             inverse: load::<R, S>(simd, &block.inverse),
             others: block.there & !own,
-            own,
+            into: if rays.into >> lane & 1 == 1 { own } else { 0 },
         }
     }
 
@@ -52,20 +55,16 @@ impl<R: Lanes, S: Simd> Pairs<R, S> {
             simd,
             start: sub(load3(simd, &rays.origin), splat3(simd, lane3(&block.centre, place))),
             direction: load3(simd, &rays.direction),
+            local: load3(simd, &rays.local),
             reach: splat::<R, S>(simd, block.reach[place]),
             inverse: splat::<R, S>(simd, block.inverse[place]),
             others: lanes & !own,
-            own,
+            into: own & rays.into,
         }
     }
 
-    /// Where the rays' lines may meet the balls, and where the balls are that the rays start on; none that a line does meet is
-    /// left out.
-    #[inline(always)]
-    pub(crate) fn near_or_own(&self) -> u32 {
-        self.near() & self.others | self.own
-    }
-
+    /// The balls that the rays' lines may meet; none that a line does meet is left out.
+    ///
     /// The computed distance to a centre is off across the line by a few roundings of itself, and along it by a few of
     /// the way to the nearest point: the thousandth in `reach` is worth far more than the first, and the square of that
     /// way times 2^-34 far more than the second. Comparing the other way round lets a NaN in.
@@ -87,12 +86,37 @@ impl<R: Lanes, S: Simd> Pairs<R, S> {
         if near == 0 {
             return (0, [R::ZERO; LANES]);
         }
-        let start = scale(self.start, self.inverse);
-        let (enter, leave) = approach(start, scale(self.direction, self.inverse)).ends();
+        let (enter, leave) = self.approach().0.ends();
         let zero = splat::<R, S>(self.simd, R::ZERO);
         let starts_within = enter.simd_le(zero) & leave.simd_gt(zero) & (-enter).simd_lt(leave);
         let ahead = enter.simd_gt(zero) & enter.simd_lt(leave) & enter.simd_le(until);
         (bits(starts_within | ahead) & near, enter.max(zero).to_array())
+    }
+
+    /// Which rays are in balls at these distances, and where they leave them.
+    #[inline(always)]
+    pub(crate) fn ends(&self, at: R::Eight<S>) -> (u32, [R; LANES]) {
+        let near = self.near() & self.others;
+        if near | self.into == 0 {
+            return (0, [R::ZERO; LANES]);
+        }
+        let (approach, direction) = self.approach();
+        let (enter, leave) = approach.ends();
+        let zero = splat::<R, S>(self.simd, R::ZERO);
+        let other = other_root(dot(self.local, direction), direction);
+        let enter = select::<R, S>(self.simd, self.into, zero, enter);
+        let leave = select::<R, S>(self.simd, self.into, other, leave);
+        (
+            bits(enter.simd_le(at) & at.simd_lt(leave)) & (near | self.into),
+            leave.to_array(),
+        )
+    }
+
+    /// And the directions in the balls' own coordinates.
+    #[inline(always)]
+    fn approach(&self) -> (Approach<R::Eight<S>>, Vector8<R, S>) {
+        let direction = scale(self.direction, self.inverse);
+        (approach(scale(self.start, self.inverse), direction), direction)
     }
 }
 

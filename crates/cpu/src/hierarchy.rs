@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 use scenec_plan::{Child, Real};
 
-use crate::hits::{Hit, Hits};
+use crate::hits::Hits;
 use crate::lanes::{LANES, Lanes, Set};
 use crate::ray::Rays;
 use crate::shape::Interval;
@@ -40,9 +40,10 @@ pub(crate) fn first<R: Lanes, S: Simd>(
     scratch: &mut Scratch<R>,
 ) -> Hits<R> {
     let mut hits = enter(stage, rays, lanes & !rays.inside, scratch);
-    for lane in Set(lanes & rays.inside) {
-        if let Some(hit) = leave(stage, rays, lane, scratch) {
-            hits.set(lane, hit);
+    if lanes & rays.inside != 0 {
+        let left = leave(stage, rays, lanes & rays.inside, scratch);
+        for lane in Set(left.met) {
+            hits.copy(lane, &left);
         }
     }
     hits
@@ -66,20 +67,15 @@ pub(crate) fn blocked<R: Lanes, S: Simd>(
     let outside = lanes & !rays.inside;
     if outside != 0 {
         let blocker = &mut scratch.blockers[light];
-        let found = walk(
-            stage,
-            (rays, outside),
-            R::ZERO,
-            *blocker,
-            &mut scratch.waiting,
-            &mut entries,
-        );
+        let found = walk(stage, (rays, outside), *blocker, &mut scratch.waiting, &mut entries);
         *blocker = found.or(*blocker);
     }
     let mut found = entries.kept.rays;
-    for lane in Set(lanes & rays.inside) {
-        let hit = leave(stage, rays, lane, scratch);
-        found |= u32::from(hit.is_some_and(|hit| hit.distance < rays.end[lane])) << lane;
+    if lanes & rays.inside != 0 {
+        let left = leave(stage, rays, lanes & rays.inside, scratch);
+        for lane in Set(left.met) {
+            found |= u32::from(left.distance[lane] < rays.end[lane]) << lane;
+        }
     }
     found
 }
@@ -94,7 +90,7 @@ fn enter<R: Lanes, S: Simd>(stage: Stage<'_, R, S>, rays: &Rays<R>, lanes: u32, 
         kept: Hits::NONE,
     };
     if lanes != 0 {
-        walk(stage, (rays, lanes), R::ZERO, None, &mut scratch.waiting, &mut entries);
+        walk(stage, (rays, lanes), None, &mut scratch.waiting, &mut entries);
     }
     entries.kept
 }
@@ -103,35 +99,37 @@ fn enter<R: Lanes, S: Simd>(stage: Stage<'_, R, S>, rays: &Rays<R>, lanes: u32, 
 /// the parts that hold the point reached so far.
 // A function of its own, not a part of every place that asks: few rays come here.
 #[inline(never)]
-fn leave<R: Lanes, S: Simd>(
-    stage: Stage<'_, R, S>,
-    rays: &Rays<R>,
-    lane: usize,
-    scratch: &mut Scratch<R>,
-) -> Option<Hit<R>> {
+fn leave<R: Lanes, S: Simd>(stage: Stage<'_, R, S>, rays: &Rays<R>, lanes: u32, scratch: &mut Scratch<R>) -> Hits<R> {
     stage.simd.vectorize(
         #[inline(always)]
         || {
-            let mut reached: Option<Hit<R>> = None;
-            loop {
-                let at = reached.map_or(R::ZERO, |hit| hit.distance);
-                let mut farthest = Farthest {
-                    stage,
-                    rays,
-                    lane,
-                    intervals: &mut scratch.intervals,
-                    at: [at; LANES],
-                    hit: None,
-                };
-                walk(stage, (rays, 1 << lane), at, None, &mut scratch.waiting, &mut farthest);
-                reached = match (farthest.hit, reached) {
-                    (Some(hit), _) if hit.distance == R::INFINITY => return None,
-                    (Some(hit), _) => Some(hit),
-                    (None, Some(hit)) => return Some(hit),
-                    // No part holds the start, which lies within rounding of the surface: on to where the solid begins.
-                    (None, None) => Some(enter(stage, rays, 1 << lane, scratch).get(lane)?),
-                };
+            let (mut open, mut hits) = (lanes, Hits::NONE);
+            let mut at = [R::ZERO; LANES];
+            while open != 0 {
+                let mut farthest = Farthest::new(stage, rays, &at, &mut scratch.intervals);
+                walk(stage, (rays, open), None, &mut scratch.waiting, &mut farthest);
+                let mut reached = farthest.hits;
+                // No part holds the start, which lies within rounding of the surface: on to where the solid begins.
+                let astray = open & !reached.met & !hits.met;
+                if astray != 0 {
+                    let entered = enter(stage, rays, astray, scratch);
+                    open &= !(astray & !entered.met);
+                    for lane in Set(entered.met) {
+                        reached.copy(lane, &entered);
+                    }
+                }
+                // Those are out that were in a part and are in none now.
+                open &= reached.met;
+                for lane in Set(open) {
+                    at[lane] = reached.distance[lane];
+                    hits.copy(lane, &reached);
+                    if at[lane] == R::INFINITY {
+                        hits.met &= !(1 << lane);
+                        open &= !(1 << lane);
+                    }
+                }
             }
+            hits
         },
     )
 }

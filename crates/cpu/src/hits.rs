@@ -80,10 +80,27 @@ impl<R: Real> Hits<R> {
         }
     }
 
+    /// Takes one over from others.
+    #[inline(always)]
+    pub(crate) fn copy(&mut self, lane: usize, from: &Self) {
+        if let Some(hit) = from.get(lane) {
+            self.set(lane, hit);
+        }
+    }
+
     /// Takes a hit if it is nearer; of two at the same distance the left one owns.
     #[inline(always)]
     pub(crate) fn keep(&mut self, lane: usize, hit: Hit<R>) {
         if (hit.distance, hit.leaf) < (self.distance[lane], self.leaf[lane]) {
+            self.set(lane, hit);
+        }
+    }
+
+    /// Takes a hit if it is farther; of two at the same distance the left one owns.
+    #[inline(always)]
+    pub(crate) fn keep_last(&mut self, lane: usize, hit: Hit<R>) {
+        let known = self.get(lane);
+        if known.is_none_or(|known| (known.distance, hit.leaf) < (hit.distance, known.leaf)) {
             self.set(lane, hit);
         }
     }

@@ -59,12 +59,12 @@ pub(crate) fn interval<R: Lanes>(shape: &Shape<R>, ray: &Ray<R>, touches: &[Touc
         if end.is_some() {
             return (R::ZERO, ray.end.distance);
         }
-        let direction = to_local(shape, ray.direction);
+        let direction = to_local(shape.kind, &shape.inverse, ray.direction);
         return (R::ZERO, other_root(dot(ray.local, direction), direction));
     }
     if let Some(touch) = end {
         // The same from the other end.
-        let direction = to_local(shape, ray.direction);
+        let direction = to_local(shape.kind, &shape.inverse, ray.direction);
         let other = ray.end.distance + other_root(dot(touch.local_point, direction), direction);
         return (other.min(ray.end.distance), other.max(ray.end.distance));
     }
@@ -73,7 +73,7 @@ pub(crate) fn interval<R: Lanes>(shape: &Shape<R>, ray: &Ray<R>, touches: &[Touc
 
 /// From a point p of the unit sphere along d: the other root of |p + t d| = 1, given p.d.
 #[inline(always)]
-fn other_root<R: Lanes>(towards: R, direction: Vector<R>) -> R {
+pub(crate) fn other_root<A: Arithmetic>(towards: A, direction: Vector<A>) -> A {
     -(towards + towards) / dot(direction, direction)
 }
 
@@ -101,8 +101,8 @@ pub(crate) fn approach<A: Arithmetic>(start: Vector<A>, direction: Vector<A>) ->
 /// The same of a ball or ellipsoid and a ray.
 #[inline(always)]
 fn approach_of<R: Lanes>(shape: &Shape<R>, ray: &Ray<R>) -> Approach<R> {
-    let start = to_local(shape, sub(ray.origin, shape.centre));
-    approach(start, to_local(shape, ray.direction))
+    let start = to_local(shape.kind, &shape.inverse, sub(ray.origin, shape.centre));
+    approach(start, to_local(shape.kind, &shape.inverse, ray.direction))
 }
 
 /// A ray's way to a plane.
@@ -184,7 +184,7 @@ pub(crate) fn on_ellipsoid<R: Lanes>(
     leaving: bool,
 ) -> (Vector<R>, Vector<R>, Vector<R>) {
     let local = if shape.class == ray.class {
-        fma(to_local(shape, ray.direction), distance, ray.local)
+        fma(to_local(shape.kind, &shape.inverse, ray.direction), distance, ray.local)
     } else {
         let approach = approach_of(shape, ray);
         approach.point(if leaving { approach.half } else { -approach.half })
@@ -194,12 +194,13 @@ pub(crate) fn on_ellipsoid<R: Lanes>(
     (point, local, normalize(columns(&shape.inverse, local)))
 }
 
+/// Into a shape's own coordinates, by its kind and its matrix.
 #[inline(always)]
-fn to_local<R: Lanes>(shape: &Shape<R>, v: Vector<R>) -> Vector<R> {
-    if shape.kind == BALL {
-        scale(v, shape.inverse[0])
+pub(crate) fn to_local<A: Arithmetic>(kind: u32, inverse: &[A; 9], v: Vector<A>) -> Vector<A> {
+    if kind == BALL {
+        scale(v, inverse[0])
     } else {
-        rows(&shape.inverse, v)
+        rows(inverse, v)
     }
 }
 

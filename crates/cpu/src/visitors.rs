@@ -1,13 +1,13 @@
 //! What is looked for on the way through the hierarchy.
 
 use fearless_simd::Simd;
-use scenec_plan::packed_structs::Island;
+use scenec_plan::packed_structs::{Block, Island};
 
 use crate::balls::Pairs;
 use crate::event::{entered, entered_leaf, left, left_leaf};
 use crate::hits::{Ball, Hit, Hits};
 use crate::lanes::{LANES, Lanes, Set, load, splat};
-use crate::planes::plane_of;
+use crate::lone::lone;
 use crate::ray::Rays;
 use crate::shape::Interval;
 use crate::stage::Stage;
@@ -83,26 +83,27 @@ pub(crate) struct Entries<'a, R, S, K> {
     pub(crate) kept: K,
 }
 
-impl<R: Lanes, S: Simd, K: Keeper<R>> Entries<'_, R, S, K> {
-    /// An entry into a ball of a block.
-    #[inline(always)]
-    fn keep_ball(&mut self, lane: usize, (block, place): (usize, usize), distance: R) {
-        let ball = Ball {
-            block: block as u32,
+/// Where a ray enters or leaves a ball of a block.
+#[inline(always)]
+const fn at_ball<R>(block: &Block<R>, (number, place): (usize, usize), distance: R, leaving: bool) -> Hit<R> {
+    Hit {
+        distance,
+        leaf: block.leaf[place],
+        leaving,
+        ball: Some(Ball {
+            block: number as u32,
             lane: place as u32,
-        };
-        let hit = Hit {
-            distance,
-            leaf: self.stage.scene.wide.blocks[block].leaf[place],
-            leaving: false,
-            ball: Some(ball),
-        };
-        self.kept.keep(lane, hit);
+        }),
     }
 }
 
 impl<R: Lanes, S: Simd, K: Keeper<R>> Visitor<R, S> for Entries<'_, R, S, K> {
     const NEAR_FIRST: bool = K::NEAR_FIRST;
+
+    #[inline(always)]
+    fn from(&self, _: usize) -> R {
+        R::ZERO
+    }
 
     #[inline(always)]
     fn until(&self) -> &[R; LANES] {
@@ -129,7 +130,8 @@ impl<R: Lanes, S: Simd, K: Keeper<R>> Visitor<R, S> for Entries<'_, R, S, K> {
                 let pairs = Pairs::of_ball(simd, block, place, rays, lanes & !self.kept.enough());
                 let (lanes, distance) = pairs.entries(load::<R, S>(simd, self.until()));
                 for lane in Set(lanes) {
-                    self.keep_ball(lane, (number, place), distance[lane]);
+                    self.kept
+                        .keep(lane, at_ball(block, (number, place), distance[lane], false));
                 }
             }
         } else {
@@ -137,7 +139,8 @@ impl<R: Lanes, S: Simd, K: Keeper<R>> Visitor<R, S> for Entries<'_, R, S, K> {
                 let pairs = Pairs::of_block(simd, block, rays, lane);
                 let (places, distance) = pairs.entries(splat::<R, S>(simd, self.until()[lane]));
                 for place in Set(places) {
-                    self.keep_ball(lane, (number, place), distance[place]);
+                    self.kept
+                        .keep(lane, at_ball(block, (number, place), distance[place], false));
                 }
             }
         }
@@ -146,12 +149,12 @@ impl<R: Lanes, S: Simd, K: Keeper<R>> Visitor<R, S> for Entries<'_, R, S, K> {
 
     #[inline(always)]
     fn island(&mut self, lanes: u32, island: &Island) -> u32 {
-        if let Some(plane) = plane_of(self.stage.scene, island)
+        if let Some(lone) = lone(self.stage.scene, island)
             && !self.rays.is_touching()
         {
-            let (lanes, distance) = plane.entries(self.stage.simd, self.rays, lanes, self.until());
+            let (lanes, distance) = lone.entries(self.stage.simd, self.rays, lanes, self.until());
             for lane in Set(lanes) {
-                self.kept.keep(lane, plane.hit(distance[lane]));
+                self.kept.keep(lane, lone.hit(distance[lane], false));
             }
         } else {
             for lane in Set(lanes) {
@@ -165,29 +168,39 @@ impl<R: Lanes, S: Simd, K: Keeper<R>> Visitor<R, S> for Entries<'_, R, S, K> {
     }
 }
 
-/// Keeps the last end among the parts that hold a point of a ray.
+/// Keeps the last ends among the parts that hold points of rays.
 pub(crate) struct Farthest<'a, R, S> {
     pub(crate) stage: Stage<'a, R, S>,
     pub(crate) rays: &'a Rays<R>,
-    pub(crate) lane: usize,
     pub(crate) intervals: &'a mut Vec<Interval<R>>,
-    /// The point, the same in all lanes.
-    pub(crate) at: [R; LANES],
-    pub(crate) hit: Option<Hit<R>>,
+    /// Where along the rays the points are.
+    pub(crate) at: &'a [R; LANES],
+    pub(crate) hits: Hits<R>,
+    /// Rays that have no end at all, so that no other part matters.
+    endless: u32,
 }
 
-impl<R: Lanes, S: Simd> Farthest<'_, R, S> {
-    /// Whether there is no end at all, so that no other matters.
-    #[inline(always)]
-    fn keep(&mut self, hit: Option<Hit<R>>) -> bool {
-        if let Some(hit) = hit
-            && self
-                .hit
-                .is_none_or(|best| (best.distance, hit.leaf) < (hit.distance, best.leaf))
-        {
-            self.hit = Some(hit);
+impl<'a, R: Lanes, S> Farthest<'a, R, S> {
+    pub(crate) const fn new(
+        stage: Stage<'a, R, S>,
+        rays: &'a Rays<R>,
+        at: &'a [R; LANES],
+        intervals: &'a mut Vec<Interval<R>>,
+    ) -> Self {
+        Self {
+            stage,
+            rays,
+            intervals,
+            at,
+            hits: Hits::NONE,
+            endless: 0,
         }
-        hit.is_some_and(|hit| hit.distance == R::INFINITY)
+    }
+
+    #[inline(always)]
+    fn keep(&mut self, lane: usize, hit: Hit<R>) {
+        self.hits.keep_last(lane, hit);
+        self.endless |= u32::from(hit.distance == R::INFINITY) << lane;
     }
 }
 
@@ -195,31 +208,65 @@ impl<R: Lanes, S: Simd> Visitor<R, S> for Farthest<'_, R, S> {
     const NEAR_FIRST: bool = false;
 
     #[inline(always)]
+    fn from(&self, lane: usize) -> R {
+        self.at[lane]
+    }
+
+    #[inline(always)]
     fn until(&self) -> &[R; LANES] {
-        &self.at
+        self.at
     }
 
     #[inline(always)]
     fn block(&mut self, lanes: u32, number: usize) -> u32 {
         let block = &self.stage.scene.wide.blocks[number];
-        let (ray, at) = (self.rays.get(self.lane), self.at[self.lane]);
-        // The same of the light, and of the ball that the ray starts on.
-        let places = if self.rays.is_touching() {
-            block.there
+        let (simd, rays) = (self.stage.simd, self.rays);
+        if rays.is_touching() {
+            for lane in Set(lanes) {
+                let ray = rays.get(lane);
+                for place in Set(block.there) {
+                    if let Some(hit) = left_leaf(self.stage.scene, block.leaf[place], &ray, self.at[lane]) {
+                        self.keep(lane, hit);
+                    }
+                }
+            }
+        } else if lanes.count_ones() > block.there.count_ones() {
+            for place in Set(block.there) {
+                let pairs = Pairs::of_ball(simd, block, place, rays, lanes);
+                let (lanes, distance) = pairs.ends(load::<R, S>(simd, self.at));
+                for lane in Set(lanes) {
+                    self.keep(lane, at_ball(block, (number, place), distance[lane], true));
+                }
+            }
         } else {
-            Pairs::of_block(self.stage.simd, block, self.rays, self.lane).near_or_own()
-        };
-        let mut enough = false;
-        for place in Set(places) {
-            enough = enough || self.keep(left_leaf(self.stage.scene, block.leaf[place], &ray, at));
+            for lane in Set(lanes) {
+                let pairs = Pairs::of_block(simd, block, rays, lane);
+                let (places, distance) = pairs.ends(splat::<R, S>(simd, self.at[lane]));
+                for place in Set(places) {
+                    self.keep(lane, at_ball(block, (number, place), distance[place], true));
+                }
+            }
         }
-        if enough { lanes } else { 0 }
+        self.endless
     }
 
     #[inline(always)]
     fn island(&mut self, lanes: u32, island: &Island) -> u32 {
-        let (ray, at) = (self.rays.get(self.lane), self.at[self.lane]);
-        let hit = left(self.stage.scene, island, &ray, at, self.intervals);
-        if self.keep(hit) { lanes } else { 0 }
+        if let Some(lone) = lone(self.stage.scene, island)
+            && !self.rays.is_touching()
+        {
+            let (lanes, distance) = lone.ends(self.stage.simd, self.rays, lanes, self.at);
+            for lane in Set(lanes) {
+                self.keep(lane, lone.hit(distance[lane], true));
+            }
+        } else {
+            for lane in Set(lanes) {
+                let (ray, at) = (self.rays.get(lane), self.at[lane]);
+                if let Some(hit) = left(self.stage.scene, island, &ray, at, self.intervals) {
+                    self.keep(lane, hit);
+                }
+            }
+        }
+        self.endless
     }
 }

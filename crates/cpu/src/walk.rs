@@ -78,6 +78,8 @@ impl<R: Real> Waiting<R> {
 pub(crate) trait Visitor<R: Lanes, S: Simd> {
     /// Whether it gains from seeing near things first.
     const NEAR_FIRST: bool;
+    /// Before this distance nothing matters to a ray.
+    fn from(&self, lane: usize) -> R;
     /// Beyond these distances nothing matters.
     fn until(&self) -> &[R; LANES];
     /// The balls of a block, to these rays; which rays have seen enough, these and any others.
@@ -86,13 +88,11 @@ pub(crate) trait Visitor<R: Lanes, S: Simd> {
     fn island(&mut self, lanes: u32, island: &Island) -> u32;
 }
 
-/// Shows the visitor everything that some of the rays may meet at a distance from `from` up to what the visitor says, first
-/// `guess`. Returns the last child of the hierarchy that was enough for any of them.
+/// Shows the visitor everything that some of the rays may meet at distances that matter to it, first `guess`. Returns the last child of the hierarchy that was enough for any of them.
 #[inline(always)]
 pub(crate) fn walk<R: Lanes, S: Simd, V: Visitor<R, S>>(
     stage: Stage<'_, R, S>,
     (rays, mut lanes): (&Rays<R>, u32),
-    from: R,
     guess: Option<Child>,
     waiting: &mut Waiting<R>,
     visitor: &mut V,
@@ -115,7 +115,7 @@ pub(crate) fn walk<R: Lanes, S: Simd, V: Visitor<R, S>>(
     if lanes == 0 {
         return found;
     }
-    descend(stage, (rays, lanes), from, root, waiting, visitor).or(found)
+    descend(stage, (rays, lanes), root, waiting, visitor).or(found)
 }
 
 /// The same of the hierarchy alone.
@@ -124,7 +124,6 @@ pub(crate) fn walk<R: Lanes, S: Simd, V: Visitor<R, S>>(
 fn descend<R: Lanes, S: Simd, V: Visitor<R, S>>(
     stage: Stage<'_, R, S>,
     (rays, mut open): (&Rays<R>, u32),
-    from: R,
     root: Child,
     waiting: &mut Waiting<R>,
     visitor: &mut V,
@@ -132,7 +131,7 @@ fn descend<R: Lanes, S: Simd, V: Visitor<R, S>>(
     stage.simd.vectorize(
         #[inline(always)]
         || {
-            let slabs = Slabs::new(stage.simd, rays, from);
+            let slabs = Slabs::new(stage.simd, rays);
             waiting.count = 0;
             let mut found = None;
             let mut next = Some((root, open));
@@ -194,14 +193,13 @@ struct Slabs<'a, R, S> {
     inverse: Triple<R>,
     /// By axis, the rays that come to the upper corner first.
     downwards: [u32; 3],
-    from: R,
 }
 
 impl<'a, R: Lanes, S: Simd> Slabs<'a, R, S> {
     /// No component of the direction counts as smaller than the largest number's inverse, so that no product is 0 times
     /// infinity. Boxes are wider than what is in them, so that a ray along a face meets nothing there.
     #[inline(always)]
-    fn new(simd: S, rays: &'a Rays<R>, from: R) -> Self {
+    fn new(simd: S, rays: &'a Rays<R>) -> Self {
         let largest = splat::<R, S>(simd, R::of_f32(f32::MAX));
         let (zero, one) = (splat::<R, S>(simd, R::ZERO), splat::<R, S>(simd, R::ONE));
         let (mut inverse, mut downwards) = ([zero; 3], [0; 3]);
@@ -216,7 +214,6 @@ impl<'a, R: Lanes, S: Simd> Slabs<'a, R, S> {
             origin: &rays.origin,
             inverse: store3(inverse),
             downwards,
-            from,
         }
     }
 
@@ -233,7 +230,7 @@ impl<'a, R: Lanes, S: Simd> Slabs<'a, R, S> {
         // Which boxes a ray meets, a byte to each.
         let (mut sets, mut any) = (0, 0);
         for lane in Set(lanes) {
-            let met = self.meets(lane, node, visitor.until()[lane], &mut entry);
+            let met = self.meets(lane, node, (visitor.from(lane), visitor.until()[lane]), &mut entry);
             any |= met;
             sets |= u64::from(met) << (LANES * lane);
         }
@@ -262,7 +259,7 @@ impl<'a, R: Lanes, S: Simd> Slabs<'a, R, S> {
 
     /// Which boxes a ray is in somewhere between `from` and `until`; lowers to where it enters them.
     #[inline(always)]
-    fn meets(&self, lane: usize, node: &WideNode, until: R, entry: &mut R::Eight<S>) -> u32 {
+    fn meets(&self, lane: usize, node: &WideNode, (from, until): (R, R), entry: &mut R::Eight<S>) -> u32 {
         let simd = self.simd;
         let corner = |axis: usize| (self.downwards[axis] >> lane & 1) as usize;
         let (i, j, k) = (corner(0), corner(1), corner(2));
@@ -271,7 +268,7 @@ impl<'a, R: Lanes, S: Simd> Slabs<'a, R, S> {
             self.to(lane, node, j, 1),
             self.to(lane, node, k, 2),
         );
-        let near = x.max(y).max(z.max(splat::<R, S>(simd, self.from)));
+        let near = x.max(y).max(z.max(splat::<R, S>(simd, from)));
         let (x, y, z) = (
             self.to(lane, node, 1 - i, 0),
             self.to(lane, node, 1 - j, 1),
