@@ -1,10 +1,13 @@
 //! A part of a tree along one ray: its members' intervals, and where its truth changes.
 
+use std::ops::Range;
+
 use scenec_plan::packed_structs::Island;
 use scenec_plan::{Instruction, Packed, evaluate, evaluate_product, owner};
 
 use crate::hits::Hit;
-use crate::lanes::Lanes;
+use crate::intervals::Intervals;
+use crate::lanes::{LANES, Lanes};
 use crate::ray::Ray;
 use crate::shape::{Interval, interval};
 
@@ -73,28 +76,60 @@ pub(crate) fn leaf_interval<R: Lanes>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>
 pub(crate) struct Crossings<'a, R> {
     scene: &'a Packed<R>,
     part: &'a Island,
-    intervals: &'a [Interval<R>],
+    intervals: &'a [Intervals<R>],
+    /// Which of the rays it is.
+    lane: usize,
     /// The class of the surface that the ray starts on.
     class: u32,
 }
 
 impl<'a, R: Lanes> Crossings<'a, R> {
+    /// Of one ray by itself.
     #[inline(always)]
     pub(crate) fn new(
         scene: &'a Packed<R>,
         part: &'a Island,
         ray: &Ray<R>,
-        intervals: &'a mut Vec<Interval<R>>,
+        intervals: &'a mut Vec<Intervals<R>>,
     ) -> Self {
         let members = &scene.members[part.members as usize..part.members_end as usize];
         intervals.clear();
-        intervals.extend(members.iter().map(|leaf| leaf_interval(scene, *leaf, ray)));
+        for leaf in members {
+            let (enter, leave) = leaf_interval(scene, *leaf, ray);
+            let mut one = [[R::ZERO; LANES]; 2];
+            (one[0][0], one[1][0]) = (enter, leave);
+            intervals.push(one);
+        }
+        Self::of((scene, part), intervals, (0, ray.class))
+    }
+
+    /// Of one of the rays whose intervals are known, and the class of the surface that it starts on.
+    #[inline(always)]
+    pub(crate) const fn of(
+        (scene, part): (&'a Packed<R>, &'a Island),
+        intervals: &'a [Intervals<R>],
+        (lane, class): (usize, u32),
+    ) -> Self {
         Self {
             scene,
             part,
             intervals,
-            class: ray.class,
+            lane,
+            class,
         }
+    }
+
+    /// The interval of a member.
+    #[inline(always)]
+    fn interval(&self, local: u32) -> Interval<R> {
+        let [enter, leave] = &self.intervals[local as usize];
+        (enter[self.lane % LANES], leave[self.lane % LANES])
+    }
+
+    /// The numbers of the members.
+    #[inline(always)]
+    const fn locals(&self) -> Range<u32> {
+        0..self.intervals.len() as u32
     }
 
     /// Sets out from a distance.
@@ -136,7 +171,8 @@ impl<'a, R: Lanes> Crossings<'a, R> {
     #[inline(always)]
     fn next(&self, at: R) -> R {
         let mut next = R::INFINITY;
-        for &(enter, leave) in self.intervals {
+        for local in self.locals() {
+            let (enter, leave) = self.interval(local);
             if enter < leave {
                 if enter > at && enter < next {
                     next = enter;
@@ -188,7 +224,7 @@ impl<'a, R: Lanes> Crossings<'a, R> {
     fn literals(&self) -> impl Iterator<Item = (bool, Interval<R>)> + '_ {
         self.program().map(|literal| {
             let (operation, member) = literal.parts();
-            (operation == 0, self.intervals[member as usize])
+            (operation == 0, self.interval(member))
         })
     }
 
@@ -197,7 +233,8 @@ impl<'a, R: Lanes> Crossings<'a, R> {
     #[inline(always)]
     fn behind(&self, from: R) -> Option<Hit<R>> {
         let mut last: Option<(u32, R)> = None;
-        for (local, &(enter, leave)) in (0..).zip(self.intervals) {
+        for local in self.locals() {
+            let (enter, leave) = self.interval(local);
             if enter < leave && class_of(self.scene, self.leaf(local)) != self.class {
                 for distance in [enter, leave] {
                     let later = last.is_none_or(|(_, known)| distance > known);
@@ -214,7 +251,7 @@ impl<'a, R: Lanes> Crossings<'a, R> {
     #[inline(always)]
     fn owner(&self, distance: R) -> Hit<R> {
         let changes = |local: u32| {
-            let (enter, leave) = self.intervals[local as usize];
+            let (enter, leave) = self.interval(local);
             (
                 enter < distance && distance <= leave,
                 enter <= distance && distance < leave,
@@ -240,7 +277,7 @@ impl<'a, R: Lanes> Crossings<'a, R> {
         Hit {
             distance,
             leaf: self.leaf(local),
-            leaving: self.intervals[local as usize].1 == distance,
+            leaving: self.interval(local).1 == distance,
             ball: None,
         }
     }
@@ -261,12 +298,23 @@ impl<'a, R: Lanes> Crossings<'a, R> {
         words.iter().map(|word| Instruction(*word))
     }
 
+    /// A crossing infinitely far away.
+    #[inline(always)]
+    pub(crate) fn endless(&self) -> Hit<R> {
+        Hit {
+            distance: R::INFINITY,
+            leaf: self.leaf(0),
+            leaving: true,
+            ball: None,
+        }
+    }
+
     /// Whether the part holds the ray at `distance`: each member counts from its first distance up to, not including,
     /// its last.
     #[inline(always)]
     fn holds(&self, distance: R) -> bool {
         let member = |local: u32| {
-            let (enter, leave) = self.intervals[local as usize];
+            let (enter, leave) = self.interval(local);
             enter <= distance && distance < leave
         };
         if self.is_product() {

@@ -8,9 +8,9 @@ use scenec_plan::{CELL_FULL, CELL_PART, CELLS_DEPTH, CELLS_REACH, Packed};
 
 use crate::crossings::{Crossings, March, class_of, leaf_interval};
 use crate::hits::Hit;
+use crate::intervals::Intervals;
 use crate::lanes::Lanes;
 use crate::ray::Ray;
-use crate::shape::Interval;
 
 /// No cells.
 const NONE: u32 = u32::MAX;
@@ -22,7 +22,7 @@ pub(crate) fn entered<R: Lanes>(
     island: &Island,
     ray: &Ray<R>,
     until: R,
-    intervals: &mut Vec<Interval<R>>,
+    intervals: &mut Vec<Intervals<R>>,
 ) -> Option<Hit<R>> {
     let Some(leaf) = scene.lone(island) else {
         return change(scene, island, ray, (R::ZERO, until), false, intervals).0;
@@ -59,7 +59,7 @@ pub(crate) fn left<R: Lanes>(
     island: &Island,
     ray: &Ray<R>,
     from: R,
-    intervals: &mut Vec<Interval<R>>,
+    intervals: &mut Vec<Intervals<R>>,
 ) -> Option<Hit<R>> {
     if let Some(leaf) = scene.lone(island) {
         return left_leaf(scene, leaf, ray, from);
@@ -95,18 +95,13 @@ fn change<R: Lanes>(
     ray: &Ray<R>,
     (from, until): (R, R),
     inside: bool,
-    intervals: &mut Vec<Interval<R>>,
+    intervals: &mut Vec<Intervals<R>>,
 ) -> (Option<Hit<R>>, bool) {
     // Farther out, rounding is larger than what the cells allow for.
     let far = ray.origin.iter().any(|x| x.abs() > R::of(CELLS_REACH));
     if island.cells == NONE || far {
         let crossings = Crossings::new(scene, island, ray, intervals);
-        let mut march = crossings.start(from, inside);
-        if inside && !march.held {
-            return (None, false);
-        }
-        let hit = crossings.follow(&mut march, until);
-        return (hit.or_else(|| march.finish()), march.held);
+        return change_of_whole(&crossings, (from, until), inside);
     }
     let mut march: Option<March<R>> = None;
     let mut walk = Walk::new(scene, ray, island.cells, from, until);
@@ -130,6 +125,40 @@ fn change<R: Lanes>(
         Some(march) if march.held || !inside => (march.finish(), march.held),
         _ => (None, false),
     }
+}
+
+/// The same of an island as one part.
+#[inline(always)]
+fn change_of_whole<R: Lanes>(
+    crossings: &Crossings<'_, R>,
+    (from, until): (R, R),
+    inside: bool,
+) -> (Option<Hit<R>>, bool) {
+    let mut march = crossings.start(from, inside);
+    if inside && !march.held {
+        return (None, false);
+    }
+    let hit = crossings.follow(&mut march, until);
+    (hit.or_else(|| march.finish()), march.held)
+}
+
+/// As [`entered`], of an island as one part.
+#[inline(always)]
+pub(crate) fn entered_whole<R: Lanes>(crossings: &Crossings<'_, R>, until: R) -> Option<Hit<R>> {
+    change_of_whole(crossings, (R::ZERO, until), false).0
+}
+
+/// As [`left`], of an island as one part.
+#[inline(always)]
+pub(crate) fn left_whole<R: Lanes>(crossings: &Crossings<'_, R>, from: R) -> Option<Hit<R>> {
+    let (hit, held) = change_of_whole(crossings, (from, R::INFINITY), true);
+    held.then(|| hit.unwrap_or_else(|| crossings.endless()))
+}
+
+/// Whether an island is one part.
+#[inline(always)]
+pub(crate) const fn is_whole(island: &Island) -> bool {
+    island.cells == NONE
 }
 
 /// Hands out an island's cells along a ray, near ones first, each with the distance at which the ray leaves it.

@@ -4,9 +4,9 @@ use fearless_simd::Simd;
 use scenec_plan::{Child, Real};
 
 use crate::hits::Hits;
+use crate::intervals::Intervals;
 use crate::lanes::{LANES, Lanes, Set};
 use crate::ray::Rays;
-use crate::shape::Interval;
 use crate::stage::{Prepared, Stage};
 use crate::visitors::{Blocked, Entries, Farthest};
 use crate::walk::{Waiting, walk};
@@ -14,7 +14,7 @@ use crate::walk::{Waiting, walk};
 /// Room that one thread uses again and again.
 pub(crate) struct Scratch<R> {
     /// The intervals of one island's members along one ray.
-    intervals: Vec<Interval<R>>,
+    intervals: Vec<Intervals<R>>,
     /// What waits on a way through the hierarchy.
     waiting: Waiting<R>,
     /// What stood before each light the last time: it often stands before it again.

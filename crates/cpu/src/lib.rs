@@ -10,6 +10,7 @@ mod dispatch;
 mod event;
 mod hierarchy;
 mod hits;
+mod intervals;
 mod lanes;
 mod lone;
 mod path;

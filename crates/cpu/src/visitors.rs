@@ -4,12 +4,13 @@ use fearless_simd::Simd;
 use scenec_plan::packed_structs::{Block, Island};
 
 use crate::balls::Pairs;
-use crate::event::{entered, entered_leaf, left, left_leaf};
+use crate::crossings::Crossings;
+use crate::event::{entered, entered_leaf, entered_whole, is_whole, left, left_leaf, left_whole};
 use crate::hits::{Ball, Hit, Hits};
+use crate::intervals::{Intervals, gather};
 use crate::lanes::{LANES, Lanes, Set, load, splat};
 use crate::lone::lone;
 use crate::ray::Rays;
-use crate::shape::Interval;
 use crate::stage::Stage;
 use crate::walk::Visitor;
 
@@ -79,7 +80,7 @@ impl<R: Lanes> Keeper<R> for Blocked<'_, R> {
 pub(crate) struct Entries<'a, R, S, K> {
     pub(crate) stage: Stage<'a, R, S>,
     pub(crate) rays: &'a Rays<R>,
-    pub(crate) intervals: &'a mut Vec<Interval<R>>,
+    pub(crate) intervals: &'a mut Vec<Intervals<R>>,
     pub(crate) kept: K,
 }
 
@@ -156,6 +157,15 @@ impl<R: Lanes, S: Simd, K: Keeper<R>> Visitor<R, S> for Entries<'_, R, S, K> {
             for lane in Set(lanes) {
                 self.kept.keep(lane, lone.hit(distance[lane], false));
             }
+        } else if is_whole(island) && !self.rays.is_touching() {
+            let (stage, range) = (self.stage, (&[R::ZERO; LANES], self.kept.until()));
+            for lane in Set(gather(stage, island, (self.rays, lanes), range, self.intervals)) {
+                let one = (lane, self.rays.class[lane]);
+                let crossings = Crossings::of((stage.scene, island), self.intervals, one);
+                if let Some(hit) = entered_whole(&crossings, self.until()[lane]) {
+                    self.kept.keep(lane, hit);
+                }
+            }
         } else {
             for lane in Set(lanes) {
                 let (ray, until) = (self.rays.get(lane), self.until()[lane]);
@@ -172,7 +182,7 @@ impl<R: Lanes, S: Simd, K: Keeper<R>> Visitor<R, S> for Entries<'_, R, S, K> {
 pub(crate) struct Farthest<'a, R, S> {
     pub(crate) stage: Stage<'a, R, S>,
     pub(crate) rays: &'a Rays<R>,
-    pub(crate) intervals: &'a mut Vec<Interval<R>>,
+    pub(crate) intervals: &'a mut Vec<Intervals<R>>,
     /// Where along the rays the points are.
     pub(crate) at: &'a [R; LANES],
     pub(crate) hits: Hits<R>,
@@ -185,7 +195,7 @@ impl<'a, R: Lanes, S> Farthest<'a, R, S> {
         stage: Stage<'a, R, S>,
         rays: &'a Rays<R>,
         at: &'a [R; LANES],
-        intervals: &'a mut Vec<Interval<R>>,
+        intervals: &'a mut Vec<Intervals<R>>,
     ) -> Self {
         Self {
             stage,
@@ -258,6 +268,15 @@ impl<R: Lanes, S: Simd> Visitor<R, S> for Farthest<'_, R, S> {
             let (lanes, distance) = lone.ends(self.stage.simd, self.rays, lanes, self.at);
             for lane in Set(lanes) {
                 self.keep(lane, lone.hit(distance[lane], true));
+            }
+        } else if is_whole(island) && !self.rays.is_touching() {
+            let (stage, range) = (self.stage, (self.at, self.at));
+            for lane in Set(gather(stage, island, (self.rays, lanes), range, self.intervals)) {
+                let one = (lane, self.rays.class[lane]);
+                let crossings = Crossings::of((stage.scene, island), self.intervals, one);
+                if let Some(hit) = left_whole(&crossings, self.at[lane]) {
+                    self.keep(lane, hit);
+                }
             }
         } else {
             for lane in Set(lanes) {
