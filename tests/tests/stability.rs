@@ -2,25 +2,16 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a test may stop at once")]
 
+use scenec_interpret::scene_of;
 use scenec_measure::stability::{Machines, Verdict, cases, judge, summary, table};
 use scenec_plan::plan;
-use scenec_scene::Scene;
 use scenec_tests::{device, gallery, root};
-use scenec_text::{Severity, SourceFile};
 
 #[test]
 fn the_gallery_needs_no_doubles() {
     for (name, scene) in gallery() {
         assert_eq!(plan(&scene).unwrap().beyond_single(), None, "{name}");
     }
-}
-
-fn read(text: &str) -> Result<Scene, Vec<String>> {
-    let (interpretation, diagnostics) = scenec_interpret::analyse(&SourceFile::new("case", text).unwrap());
-    let errors = diagnostics.iter().filter(|one| one.severity() == Severity::Error);
-    interpretation
-        .scene
-        .ok_or_else(|| errors.map(|one| one.code.id().to_owned()).collect())
 }
 
 /// What is the same on every machine in the rows of a table of cases: the case, how many members it has, for how many of them
@@ -42,7 +33,7 @@ fn every_awkward_case_holds() {
         let judged = case
             .runs()
             .iter()
-            .map(|run| judge(&case, run, &read, &machines).unwrap());
+            .map(|run| judge(&case, run, &scene_of, &machines).unwrap());
         verdicts.extend(judged);
     }
     let table = table(&verdicts);

@@ -4,7 +4,7 @@ use std::borrow::Borrow;
 
 use scenec_scene::{Light, Material, Scene, Settings, Steps};
 use scenec_syntax::{Content, Line, read_ahead};
-use scenec_text::{Diagnostic, SourceFile, Span};
+use scenec_text::{Diagnostic, Severity, SourceFile, Span};
 
 use crate::state::State;
 use crate::{SymbolTable, finish, statements};
@@ -93,4 +93,17 @@ pub fn analyse(source: &SourceFile) -> (Interpretation, Vec<Diagnostic>) {
     diagnostics.extend(more);
     diagnostics.sort_by_key(|finding| finding.span().start);
     (interpretation, diagnostics)
+}
+
+/// The scene of a text that has no file, or the codes of the errors in it: none if it is too large to be read.
+///
+/// # Errors
+/// There is no scene.
+pub fn scene_of(text: &str) -> Result<Scene, Vec<String>> {
+    let source = SourceFile::new("text", text).map_err(|_| Vec::new())?;
+    let (interpretation, diagnostics) = analyse(&source);
+    let errors = diagnostics.iter().filter(|one| one.severity() == Severity::Error);
+    interpretation
+        .scene
+        .ok_or_else(|| errors.map(|one| one.code.id().to_owned()).collect())
 }

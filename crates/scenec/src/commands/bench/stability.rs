@@ -6,11 +6,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 use scenec_device::DeviceInfo;
+use scenec_interpret::scene_of;
 use scenec_measure::povray as pov;
 use scenec_measure::stability::{self, Case, CaseError, Machines, Run, Verdict};
 use scenec_picture::Watch;
-use scenec_scene::Scene;
-use scenec_text::{Severity, SourceFile};
 
 use crate::exit::Exit;
 use crate::failure::Failure;
@@ -64,7 +63,7 @@ fn judge_all(members: &[(&Case, &Run)], machines: &Machines<'_>, counter: &Watch
             let verdict = if interrupt::watch().stopped() {
                 Err(Failure::Interrupted)
             } else {
-                stability::judge(case, run, &read, machines).map_err(broken)
+                stability::judge(case, run, &scene_of, machines).map_err(broken)
             };
             // Whoever fails ends it for all.
             judged.push((
@@ -89,14 +88,4 @@ fn judge_all(members: &[(&Case, &Run)], machines: &Machines<'_>, counter: &Watch
 
 fn broken(error: CaseError) -> Failure {
     Failure::unusable(error.to_string())
-}
-
-/// The scene of a text, or the codes of its errors.
-fn read(text: &str) -> Result<Scene, Vec<String>> {
-    let source = SourceFile::new("case", text).map_err(|_| Vec::new())?;
-    let (interpretation, diagnostics) = scenec_interpret::analyse(&source);
-    let errors = diagnostics.iter().filter(|one| one.severity() == Severity::Error);
-    interpretation
-        .scene
-        .ok_or_else(|| errors.map(|one| one.code.id().to_owned()).collect())
 }
