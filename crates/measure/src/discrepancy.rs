@@ -59,7 +59,7 @@ fn each(points: &[[f64; 2]], mut tell: impl FnMut(f64, f64, f64)) {
 
 /// The share of the square on one side of an edge: `place` is its distance from the centre, `a` and `b` the parts of its
 /// unit normal along the sides.
-fn area(place: f64, a: f64, b: f64) -> f64 {
+pub(crate) fn area(place: f64, a: f64, b: f64) -> f64 {
     let (long, short) = (a.max(b), a.min(b));
     let width = long + short;
     let from_corner = (place + width / 2.0).clamp(0.0, width);

@@ -1,18 +1,20 @@
 //! How wrong one pixel may be, from its own samples and those of the pixels around it.
 
 use scenec_device::Precision;
-use scenec_picture::{Frame, Spread};
+use scenec_picture::{Frame, Sampled, Spread};
 use scenec_plan::Plan;
 
 use crate::discrepancy::of_edges;
+use crate::edges::{Missed, Taken};
 use crate::setting::roundoff;
 
-/// How many standard errors the mean of a pixel may be off. As few blocks as there are tell the standard error itself
-/// only roughly.
-const ERRORS: f64 = 4.0;
+/// How many standard errors the mean of a pixel may be off that 8, 9 and up to 15 blocks tell: four of 8 blocks, which tell
+/// the standard error itself only roughly, and of more blocks as many as are exceeded as seldom (Student's t: one time in
+/// 193, where points have no order at all).
+const ERRORS: [f64; Sampled::BLOCKS / 2] = [4.0, 3.81, 3.67, 3.56, 3.48, 3.41, 3.36, 3.31];
 
 /// How many times its typical share an edge may be counted wrong.
-const EDGES: f64 = 4.0;
+const EDGES: f64 = 4.5;
 
 /// How many roundings of itself a colour may be off by where no ray takes another way: the sums and products of shading.
 pub(crate) const SHADING: f64 = 16.0;
@@ -86,60 +88,6 @@ pub(crate) fn around(ranges: &[Range], columns: usize) -> Vec<Range> {
     (0..ranges.len()).map(of).collect()
 }
 
-/// What a number of sample points may miss.
-#[derive(Clone, Copy, PartialEq, Debug)]
-struct Points {
-    /// The largest part of a pixel that a straight edge can cut off without a point in it.
-    empty: f64,
-    /// The share of a pixel by which the points count a straight edge wrong: the root of the mean square over all edges.
-    typical: f64,
-}
-
-/// The first points of the sequence, at the numbers that pixels stop at.
-const POINTS: &[(u32, f64, f64)] = &[
-    (16, 1.87e-1, 7.74e-2),
-    (24, 1.46e-1, 5.72e-2),
-    (32, 1.05e-1, 5.14e-2),
-    (48, 9.75e-2, 3.75e-2),
-    (64, 3.84e-2, 2.27e-2),
-    (96, 1.92e-2, 1.23e-2),
-    (128, 1.92e-2, 1.33e-2),
-    (192, 1.92e-2, 7.29e-3),
-    (256, 1.18e-2, 5.91e-3),
-    (384, 1.18e-2, 4.39e-3),
-    (512, 6.15e-3, 3.15e-3),
-    (768, 3.13e-3, 2.45e-3),
-    (1024, 1.61e-3, 2.01e-3),
-    (1536, 1.52e-3, 1.47e-3),
-    (2048, 9.57e-4, 1.08e-3),
-    (3072, 8.69e-4, 8.58e-4),
-    (4096, 8.69e-4, 7.28e-4),
-    (6144, 3.27e-4, 5.02e-4),
-    (8192, 1.93e-4, 3.73e-4),
-    (12288, 1.46e-4, 2.84e-4),
-    (16384, 1.18e-4, 2.26e-4),
-    (24576, 9.71e-5, 1.54e-4),
-    (32768, 7.71e-5, 1.23e-4),
-    (49152, 3.11e-5, 9.61e-5),
-    (65536, 2.71e-5, 7.41e-5),
-    (98304, 1.81e-5, 4.71e-5),
-    (131_072, 1.81e-5, 3.91e-5),
-    (196_608, 1.51e-5, 3.61e-5),
-    (262_144, 1.51e-5, 3.21e-5),
-];
-
-/// The most samples that there is a row for.
-pub(crate) const MOST_SAMPLES: u32 = 1 << 18;
-
-impl Points {
-    /// Of as many points, or the next smaller number that is listed.
-    fn first(count: u32) -> Option<Self> {
-        let place = POINTS.partition_point(|row| row.0 <= count);
-        let (_, empty, typical) = *POINTS.get(place.checked_sub(1)?)?;
-        Some(Self { empty, typical })
-    }
-}
-
 /// How wrong each pixel of a picture may be that was traced with the sample points of a plan, the same for all of its pixels.
 /// `None` if the tracer did not tell how far its samples are apart.
 #[must_use]
@@ -151,16 +99,9 @@ pub fn doubts(plan: &Plan, precision: Precision, frame: &Frame) -> Option<Vec<Do
     let count = u32::try_from(plan.view.samples.len()).unwrap_or(u32::MAX);
     let pixels = frame.picture.pixels().iter().zip(spread).zip(&around);
     let doubt = |((pixel, spread), around): ((&[f32; 3], &Spread), &Range)| {
-        judge.of_pixel(count, pixel.map(f64::from), spread, around, Sides::Unseen)
+        judge.of_pixel(count, pixel.map(f64::from), spread, around, Taken::Plainly)
     };
     Some(pixels.map(doubt).collect())
-}
-
-/// Whether the points on a pixel's sides are in its range.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Sides {
-    Unseen,
-    Seen,
 }
 
 /// The largest part of a pixel that a disc with a radius of half a pixel cuts off between two points on a side.
@@ -196,17 +137,17 @@ impl Doubts {
 
     /// How wrong a pixel may be whose samples have this mean and spread, in the midst of that range.
     ///
-    /// *Sampling.* With 16 samples or more, the largest of three: four times the standard error that blocks of samples
-    /// show, each block being the same points shifted (Cranley and Patterson 1976); four times what the points typically
-    /// count wrong about a straight edge, times the range of the pixel's own samples; and what a straight edge may cut
-    /// off unseen, times the range of the samples all around. Where the pixel's sides were looked at, which a straight edge can't
-    /// pass unseen, their colours are in its own range, and that is the one which counts; of the range all around no more is left
-    /// than what a curve may cut off. With fewer, twice what the points may be wrong about
+    /// *Sampling.* With 16 samples or more, the largest of three: about four times the standard error that blocks of samples
+    /// show, each block being the same points shifted (Cranley and Patterson 1976) or scrambled (Owen 1995); four and a half times what
+    /// the points typically count wrong about a straight edge, times the range of the pixel's own samples; and what a
+    /// straight edge may cut off unseen, times the range of the samples all around. Where the pixel's sides were looked at,
+    /// which a straight edge can't pass unseen, their colours are in its own range, and that is the one which counts; of the
+    /// range all around no more is left than what a curve may cut off. With fewer, twice what the points may be wrong about
     /// any straight edge, times that range.
     ///
     /// *Rounding.* The picture is that of rays which lie a little beside their places, and so is that of a pixel moved as far: it
     /// gains and loses a strip along its sides, in which colours are within the range all around.
-    pub(crate) fn of_pixel(&self, count: u32, mean: [f64; 3], spread: &Spread, around: &Range, sides: Sides) -> Doubt {
+    pub(crate) fn of_pixel(&self, count: u32, mean: [f64; 3], spread: &Spread, around: &Range, taken: Taken) -> Doubt {
         // Without a sample nothing is known.
         let dropped = if count == 0 { f32::INFINITY } else { spread.dropped };
         let (own, truncation) = (Range::of(spread), f64::from(dropped));
@@ -214,12 +155,12 @@ impl Doubts {
         let mut worst = Doubt::default();
         for component in [0, 1, 2] {
             let (own, around) = (own.width(component), around.width(component));
-            let sampling = match Points::first(count) {
-                Some(points) => (ERRORS * f64::from(spread.error[component]))
-                    .max(EDGES * points.typical * own)
-                    .max(match sides {
-                        Sides::Unseen => points.empty * around,
-                        Sides::Seen => (points.empty * own).max(points.empty.min(CAP) * around),
+            let sampling = match Missed::by(taken, count) {
+                Some(missed) => (errors(taken, count) * f64::from(spread.error[component]))
+                    .max(EDGES * missed.typical * own)
+                    .max(match taken {
+                        Taken::Plainly => missed.empty * around,
+                        Taken::ToTolerance => (missed.empty * own).max(missed.empty.min(CAP) * around),
                     }),
                 None => 2.0 * self.few * around,
             };
@@ -244,6 +185,16 @@ impl Doubts {
     }
 }
 
+/// How many standard errors count. A plan's points may be in step with an edge, so that too many blocks agree about it, and
+/// four is what that takes.
+fn errors(taken: Taken, count: u32) -> f64 {
+    let more = match taken {
+        Taken::Plainly => 0,
+        Taken::ToTolerance => Sampled::blocks_of(count).saturating_sub(Sampled::BLOCKS / 2),
+    };
+    ERRORS[more.min(ERRORS.len() - 1)]
+}
+
 /// A single that is not below.
 fn upwards(value: f64) -> f32 {
     let single = value as f32;
@@ -256,29 +207,20 @@ fn upwards(value: f64) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use scenec_picture::Spread;
+    use scenec_picture::{Sampled, Spread};
     use scenec_plan::sample_points;
 
-    use super::{CAP, Doubt, Doubts, MOST_SAMPLES, POINTS, Range, Sides, around};
-    use crate::discrepancy::{empty, typical};
-
-    #[test]
-    fn the_table_is_what_the_points_give() {
-        assert_eq!(POINTS.last().map(|row| row.0), Some(MOST_SAMPLES));
-        for (count, empty_part, typical_share) in POINTS.iter().take_while(|row| row.0 <= 4096) {
-            let points = sample_points(*count);
-            for (found, listed) in [(empty(&points), empty_part), (typical(&points), typical_share)] {
-                assert!(found <= *listed && *listed <= 1.01 * found, "{count}: {found} {listed}");
-            }
-        }
-    }
+    use super::{CAP, Doubt, Doubts, Range, Taken, around};
+    use crate::discrepancy::area;
+    use crate::edges::Missed;
+    use crate::points::{SCRAMBLE, scrambled_points};
 
     /// The doubt about a pixel of so many samples in one component, which range from 0 to `own`, in a range up to `around`.
     fn check(count: u32, error: f32, own: f32, around: f32, expect: Doubt) {
-        check_sides(Sides::Unseen, count, error, own, around, expect);
+        check_taken(Taken::Plainly, count, error, own, around, expect);
     }
 
-    fn check_sides(sides: Sides, count: u32, error: f32, own: f32, around: f32, expect: Doubt) {
+    fn check_taken(taken: Taken, count: u32, error: f32, own: f32, around: f32, expect: Doubt) {
         let doubts = Doubts {
             few: 0.25,
             astray: 0.0,
@@ -294,7 +236,7 @@ mod tests {
             low: [0.0; 3],
             high: [around, 0.0, 0.0],
         };
-        assert_eq!(doubts.of_pixel(count, [1.0, 0.5, 0.0], &spread, &around, sides), expect);
+        assert_eq!(doubts.of_pixel(count, [1.0, 0.5, 0.0], &spread, &around, taken), expect);
     }
 
     fn doubt(sampling: f64) -> Doubt {
@@ -311,12 +253,89 @@ mod tests {
         check(1, f32::INFINITY, 0.0, 1.0, doubt(0.5));
         check(16, 0.0, 0.0, 0.0, doubt(0.0));
         check(16, 0.25, 1.0, 1.0, doubt(1.0));
-        check(16, 0.0, 1.0, 1.0, doubt(4.0 * 7.74e-2));
+        check(16, 0.0, 1.0, 1.0, doubt(4.5 * 7.74e-2));
         check(16, 0.0, 0.0, 1.0, doubt(1.87e-1));
         check(100, 0.0, 0.0, 1.0, doubt(1.92e-2));
-        check_sides(Sides::Seen, 16, 0.0, 0.0, 1.0, doubt(CAP));
-        check_sides(Sides::Seen, 4096, 0.0, 0.0, 1.0, doubt(8.69e-4));
-        check_sides(Sides::Seen, 16, 0.0, 0.5, 1.0, doubt(4.0 * 7.74e-2 * 0.5));
+        let missed = |count| Missed::by(Taken::ToTolerance, count).unwrap();
+        check_taken(Taken::ToTolerance, 16, 0.0, 0.0, 1.0, doubt(CAP));
+        check_taken(Taken::ToTolerance, 4096, 0.0, 0.0, 1.0, doubt(missed(4096).empty));
+        check_taken(
+            Taken::ToTolerance,
+            16,
+            0.0,
+            0.5,
+            1.0,
+            doubt(4.5 * missed(16).typical * 0.5),
+        );
+        // Eight blocks, and twelve.
+        check_taken(Taken::ToTolerance, 64, 0.25, 0.0, 0.0, doubt(1.0));
+        check_taken(Taken::ToTolerance, 96, 0.25, 0.0, 0.0, doubt(0.87));
+        check_taken(Taken::Plainly, 96, 0.25, 0.0, 0.0, doubt(1.0));
+    }
+
+    /// Feeds pixels of so many samples, which are told apart by their number; at each number to stop at hears of the sum and the
+    /// bound.
+    fn sample(most: u32, colour: impl Fn(u32, [f64; 2]) -> f64, mut tell: impl FnMut(&Sampled, f64)) {
+        let doubts = Doubts {
+            few: 0.0,
+            astray: 0.0,
+            rounding: 0.0,
+        };
+        let mut sampled = Sampled::default();
+        for (k, point) in (0..).zip(scrambled_points(most, SCRAMBLE)) {
+            sampled.add([colour(k, point), 0.0, 0.0], 0.0);
+            if sampled.is_stop() {
+                let spread = sampled.spread();
+                let own = Range::of(&spread);
+                let doubt = doubts.of_pixel(sampled.count, sampled.mean(), &spread, &own, Taken::ToTolerance);
+                tell(&sampled, doubt.bound());
+            }
+        }
+    }
+
+    #[test]
+    fn no_straight_edge_is_counted_more_wrong_than_is_said() {
+        for edge in sample_points(600) {
+            let (turn, place) = (edge[0] * std::f64::consts::PI, edge[1]);
+            let (sine, cosine) = turn.sin_cos();
+            // Of the edges in this direction, all that cross the pixel.
+            let place = place * (sine.abs() + cosine.abs());
+            let exact = area(place, cosine.abs(), sine.abs());
+            let below = |_, point: [f64; 2]| f64::from(u8::from(point[0] * cosine + point[1] * sine < place));
+            sample(4096, below, |sampled, bound| {
+                // What lies between all samples shows only at the sides.
+                let (error, seen) = ((sampled.mean()[0] - exact).abs(), sampled.low[0] < sampled.high[0]);
+                assert!(
+                    error <= bound || !seen,
+                    "{edge:?}, {}: {error} of {bound}",
+                    sampled.count
+                );
+            });
+        }
+    }
+
+    /// Without order there is nothing but the standard error.
+    #[test]
+    fn few_pixels_without_order_are_more_wrong_than_is_said() {
+        // SplitMix64.
+        let noise = |number: u64| {
+            let mixed = number.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            let mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            ((mixed ^ (mixed >> 31)) >> 40) as f64 / 24.0_f64.exp2()
+        };
+        let (pixels, mut wrong) = (1000, 0);
+        for pixel in 0..pixels {
+            let mut error = None;
+            let colour = |k, _| noise((pixel << 32) | u64::from(k));
+            sample(2048, colour, |sampled, bound| {
+                if bound <= 0.05 {
+                    error = error.or(Some((sampled.mean()[0] - 0.5).abs()));
+                }
+            });
+            wrong += u64::from(error.unwrap() > 0.05);
+        }
+        assert!((1..=pixels / 100).contains(&wrong), "{wrong}");
     }
 
     #[test]
@@ -329,7 +348,7 @@ mod tests {
         let range = Range::of(&Spread::default());
         let of = |mean| {
             doubts
-                .of_pixel(16, mean, &Spread::default(), &range, Sides::Unseen)
+                .of_pixel(16, mean, &Spread::default(), &range, Taken::Plainly)
                 .bound()
         };
         assert_eq!(of([1.0, f64::NAN, 1.0]), f64::INFINITY);

@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use scenec_picture::Window;
 use scenec_plan::{Leaf, Plan, ShapeKind};
 
-/// The gaps between n sample points are no wider than this over the root of n, in pixels.
-const GAP: f64 = 1.6;
+/// The gaps between n scrambled points are no wider than this over the root of n, in pixels, at the numbers that pixels stop at.
+const GAP: f64 = 2.5;
 
 /// A thing that is wider than this many pixels is not missed.
 const PLAIN: f64 = 0.4;
@@ -85,4 +85,39 @@ fn speck(plan: &Plan, leaf: &Leaf) -> Option<Speck> {
 fn touched(place: f64, reach: f64, first: u32, count: u32) -> std::ops::Range<usize> {
     let inside = |at: f64| (at - f64::from(first)).clamp(0.0, f64::from(count)) as usize;
     inside((place - reach).floor())..inside((place + reach).ceil())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::iter;
+
+    use scenec_picture::Sampled;
+
+    use super::GAP;
+    use crate::points::{SCRAMBLE, scrambled_points};
+
+    /// The diameter of the largest disc without a point, where pixels with the same points are all around.
+    fn gap(points: &[[f64; 2]]) -> f64 {
+        let steps = (6.0 * (points.len() as f64).sqrt()) as u32;
+        let place = |step: u32| (f64::from(step) + 0.5) / f64::from(steps) - 0.5;
+        let aside = |a: f64, b: f64| (a - b).abs().min(1.0 - (a - b).abs());
+        let nearest = |[x, y]: [f64; 2]| {
+            let square = |point: &[f64; 2]| aside(x, point[0]).powi(2) + aside(y, point[1]).powi(2);
+            points.iter().map(square).fold(f64::INFINITY, f64::min)
+        };
+        let places = (0..steps * steps).map(|k| [place(k % steps), place(k / steps)]);
+        2.0 * places.map(nearest).fold(0.0, f64::max).sqrt()
+    }
+
+    #[test]
+    fn no_gap_is_wider_than_is_said() {
+        let all = scrambled_points(768, SCRAMBLE);
+        let stops = iter::successors(Some(16), |count| Some(Sampled::stop_after(*count)));
+        let widths: Vec<_> = stops
+            .take_while(|count| *count <= 768)
+            .map(|count| gap(&all[..count as usize]) * f64::from(count).sqrt())
+            .collect();
+        let widest = widths.iter().copied().fold(0.0, f64::max);
+        assert!(widest <= GAP && GAP < 1.1 * widest, "{widths:?}");
+    }
 }

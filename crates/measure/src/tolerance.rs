@@ -10,7 +10,9 @@ use scenec_reference::Reference;
 use scenec_scene::Scene;
 
 use crate::bound::Bound;
-use crate::doubt::{Doubt, Doubts, MOST_SAMPLES, Range, Sides, around};
+use crate::doubt::{Doubt, Doubts, Range, around};
+use crate::edges::{MOST_SAMPLES, Taken};
+use crate::points::{SCRAMBLE, Scramble, scrambled_points};
 use crate::setting::roundoff;
 use crate::specks::least_samples;
 
@@ -22,6 +24,9 @@ const BRANCH: f64 = 1.0 / 4.0;
 
 /// The part of a tolerance that roundings across a full contrast may use up, unless there is nothing more exact.
 const ROUNDED: f64 = 1.0 / 8.0;
+
+/// The power of the samples with which the error of an edge falls, that of points without order having a half.
+const FALL: f64 = 3.0 / 4.0;
 
 /// Samples from which on a pixel is given up if more of them can't be expected to help.
 const PATIENCE: u32 = 1024;
@@ -117,20 +122,16 @@ impl Tolerance<'_> {
     /// There is no plan, no memory, or somebody says stop. A tolerance that can't be kept is none: see
     /// [`Achieved::missed`].
     pub fn achieve(&self) -> Result<Achieved, TraceError> {
-        self.achieve_beside([0.0; 2])
+        self.achieve_with(SCRAMBLE)
     }
 
-    /// The same with all sample points moved by parts of a pixel, round its sides.
-    pub(crate) fn achieve_beside(&self, by: [f64; 2]) -> Result<Achieved, TraceError> {
+    /// The same with other sample points.
+    pub(crate) fn achieve_with(&self, scramble: Scramble) -> Result<Achieved, TraceError> {
         let mut scene = self.scene.clone();
         scene.settings.samples = self.most_samples.clamp(1, MOST_SAMPLES);
         let failed = |error: PlanError| TraceError::Failed(error.to_string());
         let mut plan = plan(&scene).map_err(failed)?;
-        if by != [0.0; 2] {
-            for point in &mut plan.view.samples {
-                *point = [0, 1].map(|axis: usize| (point[axis] + 0.5 + by[axis]).fract() - 0.5);
-            }
-        }
+        plan.view.samples = scrambled_points(scene.settings.samples, scramble);
         let precision = self.precision(&plan);
         let mut tracer = self.tracer(&scene, &plan, precision)?;
         self.on(tracer.as_mut(), plan, precision)
@@ -141,7 +142,7 @@ impl Tolerance<'_> {
             (Sampler::Cpu, Precision::F32) => Box::new(Cpu::<f32>::new(plan, self.threads)?),
             (Sampler::Cpu, Precision::F64) => Box::new(Cpu::<f64>::new(plan, self.threads)?),
             (Sampler::Reference, _) => {
-                let tracer = Reference::new(scene);
+                let tracer = Reference::new(scene).with_points(&plan.view.samples);
                 match self.threads {
                     0 => Box::new(tracer),
                     threads => Box::new(tracer.with_threads(threads)),
@@ -307,8 +308,13 @@ impl Work<'_> {
         let ranges: Vec<_> = first.iter().map(|pixel| Range::of(&pixel.spread)).collect();
         let around = around(&ranges, self.window.width as usize);
         let doubt = |place: usize, pixel: &Refined| {
-            self.doubts
-                .of_pixel(pixel.samples, pixel.mean, &pixel.spread, &around[place], Sides::Seen)
+            self.doubts.of_pixel(
+                pixel.samples,
+                pixel.mean,
+                &pixel.spread,
+                &around[place],
+                Taken::ToTolerance,
+            )
         };
         let inside = self.inside();
         let mut settled: Vec<_> = inside
@@ -330,7 +336,7 @@ impl Work<'_> {
                 so_far.mean(),
                 &so_far.spread(),
                 &around[place],
-                Sides::Seen,
+                Taken::ToTolerance,
             );
             let done = so_far.count > first[place].samples && self.is_done(so_far.count, &doubt);
             if done {
@@ -346,10 +352,10 @@ impl Work<'_> {
         Ok((settled, stats))
     }
 
-    /// Whether a pixel is within the tolerance, or will never be: no error falls more slowly than the root of the samples.
+    /// Whether a pixel is within the tolerance, or has no prospect of it: no error falls faster than that of an edge.
     fn is_done(&self, count: u32, doubt: &Doubt) -> bool {
         let tolerance = self.asked.tolerance;
-        let last = (f64::from(count) / f64::from(self.asked.most_samples.max(1))).sqrt();
+        let last = (f64::from(count) / f64::from(self.asked.most_samples.max(1))).powf(FALL);
         // Half of it, for an estimate may well be twice too large.
         let in_the_end = Doubt {
             sampling: doubt.sampling * (last / 2.0) as f32,

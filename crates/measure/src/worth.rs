@@ -6,10 +6,14 @@ use scenec_cpu::Cpu;
 use scenec_picture::{Exact, Limits, Refiner as _, Sampled, Task, TraceError};
 use scenec_plan::{PlanError, plan, sample_points};
 
+use crate::points::Scramble;
 use crate::tolerance::{Achieved, Tolerance};
 
 /// The reference is this many times more exact than what is judged by it.
 const FINER: f64 = 8.0;
+
+/// The reference's sample points, which are not those that it judges.
+const OTHER: Scramble = [0x7654_3210, 0x0fed_cba9];
 
 /// A tolerance at work on one scene.
 #[derive(Clone, Debug)]
@@ -18,6 +22,8 @@ pub struct Worth {
     pub achieved: Achieved,
     /// The largest difference from the reference.
     pub error: f64,
+    /// How wrong the reference may be by its own bound: more than was asked of it where some pixels of it had to be given up.
+    pub reference: f64,
     /// Pixels further from the reference than their bound and the reference's own.
     pub defects: u64,
     /// The samples of every pixel without a tolerance, so that the bound of each is within it; and their rays.
@@ -40,7 +46,7 @@ pub fn worth(wish: &Tolerance<'_>) -> Result<Worth, TraceError> {
         tolerance: wish.tolerance / FINER,
         ..*wish
     };
-    let truth = finer.achieve_beside([0.37, 0.61])?;
+    let truth = finer.achieve_with(OTHER)?;
     let pixels = achieved.picture.pixels().iter().zip(truth.picture.pixels());
     let errors: Vec<f64> = pixels
         .map(|(a, b)| (0..3).map(|c| f64::from((a[c] - b[c]).abs())).fold(0.0, f64::max))
@@ -63,6 +69,7 @@ pub fn worth(wish: &Tolerance<'_>) -> Result<Worth, TraceError> {
             .zip(allowed)
             .filter(|(error, allowed)| *error > allowed)
             .count() as u64,
+        reference: truth.bound.max,
         by_bound: of(most),
         by_error: of(enough),
         achieved,
@@ -82,8 +89,8 @@ impl<'a> Uniform<'a> {
         Ok(Self { wish, cpu })
     }
 
-    /// The first power of two, up to a number, with which no pixel is further from the truth than the tolerance; and the rays
-    /// of one sample for each pixel.
+    /// The first number to stop at from 64 up to a given one, with which no pixel is further from the truth than the
+    /// tolerance; and the rays of one sample for each pixel.
     fn enough(&mut self, truth: &Exact, most: u32) -> Result<(u32, f64), TraceError> {
         let window = self.wish.window;
         let pixels: Vec<u32> = (0..u32::try_from(window.pixels()).unwrap_or(u32::MAX)).collect();
@@ -111,7 +118,7 @@ impl<'a> Uniform<'a> {
             if samples >= most || found.iter().map(|pixel| &pixel.mean).zip(truth).all(near) {
                 return Ok((samples, stats.rays() as f64 / f64::from(samples)));
             }
-            samples *= 2;
+            samples = Sampled::stop_after(samples);
         }
     }
 }
@@ -119,10 +126,9 @@ impl<'a> Uniform<'a> {
 /// The table in Markdown, a line a scene.
 #[must_use]
 pub fn worth_table(rows: &[(String, Worth)]) -> String {
-    let mut text =
-        "| scene | samples per pixel: mean, most | rays | bound | error | the same samples everywhere, by bound | \
-                    rays | by error | rays |\n|---|---|---|---|---|---|---|---|---|\n"
-            .to_owned();
+    let mut text = "| scene | samples per pixel: mean, most | rays | bound | error | bound of the reference | \
+         the same samples everywhere, by bound | rays | by error | rays |\n|---|---|---|---|---|---|---|---|---|---|\n"
+        .to_owned();
     for (name, row) in rows {
         let Achieved {
             samples, stats, bound, ..
@@ -136,11 +142,12 @@ pub fn worth_table(rows: &[(String, Worth)]) -> String {
         // Writing to a string can't fail.
         writeln!(
             text,
-            "| {name} | {mean:.0}, {} | {:.1} M | {:.5} | {:.5} | {} | {} |",
+            "| {name} | {mean:.0}, {} | {:.1} M | {:.5} | {:.5} | {:.5} | {} | {} |",
             samples.iter().max().unwrap_or(&0),
             rays as f64 * 1e-6,
             bound.max,
             row.error,
+            row.reference,
             many(row.by_bound),
             many(row.by_error)
         )

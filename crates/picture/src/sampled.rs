@@ -108,6 +108,16 @@ impl Sampled {
         self.size > 1 && self.filled == 0 && self.whole.is_multiple_of(Self::BLOCKS / 4)
     }
 
+    /// How many whole blocks there are of so many samples.
+    #[must_use]
+    pub const fn blocks_of(count: u32) -> usize {
+        let half = Self::BLOCKS as u32 / 2;
+        if count < half {
+            return count as usize;
+        }
+        (count >> (count.ilog2() - half.ilog2())) as usize
+    }
+
     /// The first number to stop at that is above this one.
     #[must_use]
     pub const fn stop_after(count: u32) -> u32 {
@@ -224,6 +234,7 @@ mod tests {
         let mut stops = Vec::new();
         for _ in 0..200 {
             sampled.add([0.0; 3], 0.0);
+            assert_eq!(Sampled::blocks_of(sampled.count), sampled.whole);
             stops.extend(sampled.is_stop().then_some(sampled.count));
         }
         assert_eq!(stops, [16, 24, 32, 48, 64, 96, 128, 192]);

@@ -20,6 +20,8 @@ pub struct Reference {
     world: World,
     eye: Option<Eye>,
     pub(crate) samples: u32,
+    /// Where they are, measured from a pixel's upper left corner, if not where the language puts them.
+    points: Vec<[f64; 2]>,
     threads: usize,
 }
 
@@ -31,6 +33,7 @@ impl Reference {
             world: World::new(scene),
             eye: Eye::new(&scene.settings),
             samples: scene.settings.samples.max(1),
+            points: Vec::new(),
             threads: thread::available_parallelism().map_or(1, usize::from),
         }
     }
@@ -39,6 +42,14 @@ impl Reference {
     #[must_use]
     pub fn with_threads(mut self, threads: usize) -> Self {
         self.threads = threads.max(1);
+        self
+    }
+
+    /// The same with samples at these points, measured from a pixel's centre; at those of the language if there are none.
+    #[must_use]
+    pub fn with_points(mut self, points: &[[f64; 2]]) -> Self {
+        self.points = points.iter().map(|point| point.map(|place| place + 0.5)).collect();
+        self.samples = u32::try_from(points.len()).unwrap_or(u32::MAX).max(1);
         self
     }
 
@@ -53,7 +64,8 @@ impl Reference {
 
     /// Sample number `k` of a pixel, which has a column and a row in the whole picture.
     pub(crate) fn sample(&self, eye: &Eye, place: [u32; 2], k: u32, tally: &mut Tally) -> Sight {
-        self.look(eye, place, sample_point(k).into(), tally)
+        let own = self.points.get(k as usize).copied();
+        self.look(eye, place, own.unwrap_or_else(|| sample_point(k).into()), tally)
     }
 
     /// What is seen through a point of a pixel, measured from its upper left corner.
