@@ -4,7 +4,7 @@ use fearless_simd::Simd;
 
 use crate::hits::{Ball, Hits};
 use crate::lanes::{LANES, Lanes, Set, Triple, Vector8, lane3, load, load3, select, select3, set3, store3};
-use crate::ray::{End, Ray, Rays};
+use crate::ray::{Ray, Rays};
 use crate::shape::{BALL, HALF_SPACE, approach, on_ellipsoid, plane_normal};
 use crate::stage::Stage;
 use crate::vector::{add, dot, fma, neg, normalize, scale, sub};
@@ -167,7 +167,7 @@ impl<R: Lanes> Contacts<R> {
             class: self.class[lane],
             into: (self.leaving >> lane & 1 == 1) != behind,
             inside,
-            end: End::NONE,
+            end: R::INFINITY,
         }
     }
 

@@ -8,8 +8,7 @@ use scenec_plan::{Instruction, Packed, evaluate, evaluate_product, owner};
 use crate::hits::Hit;
 use crate::intervals::Intervals;
 use crate::lanes::{LANES, Lanes};
-use crate::ray::Ray;
-use crate::shape::{Interval, interval};
+use crate::shape::Interval;
 
 /// What is known of a ray on its way through an island.
 pub(crate) struct March<R> {
@@ -42,6 +41,12 @@ impl<R: Lanes> March<R> {
         }
     }
 
+    /// Whether it has been on the side where it is to be.
+    #[inline(always)]
+    pub(crate) const fn is_settled(&self) -> bool {
+        self.settled
+    }
+
     /// What the ray meets if it comes to no change.
     #[inline(always)]
     pub(crate) fn finish(&self) -> Option<Hit<R>> {
@@ -62,14 +67,8 @@ impl<R: Lanes> March<R> {
 }
 
 #[inline(always)]
-pub(crate) fn class_of<R>(scene: &Packed<R>, leaf: u32) -> u32 {
+fn class_of<R>(scene: &Packed<R>, leaf: u32) -> u32 {
     scene.shapes[scene.leaves[leaf as usize].shape as usize].class
-}
-
-#[inline(always)]
-pub(crate) fn leaf_interval<R: Lanes>(scene: &Packed<R>, leaf: u32, ray: &Ray<R>) -> Interval<R> {
-    let touches = &scene.touches[ray.end.touches as usize..ray.end.touches_end as usize];
-    interval(&scene.shapes[scene.leaves[leaf as usize].shape as usize], ray, touches)
 }
 
 /// The intervals of one part's members along one ray.
@@ -84,28 +83,9 @@ pub(crate) struct Crossings<'a, R> {
 }
 
 impl<'a, R: Lanes> Crossings<'a, R> {
-    /// Of one ray by itself.
-    #[inline(always)]
-    pub(crate) fn new(
-        scene: &'a Packed<R>,
-        part: &'a Island,
-        ray: &Ray<R>,
-        intervals: &'a mut Vec<Intervals<R>>,
-    ) -> Self {
-        let members = &scene.members[part.members as usize..part.members_end as usize];
-        intervals.clear();
-        for leaf in members {
-            let (enter, leave) = leaf_interval(scene, *leaf, ray);
-            let mut one = [[R::ZERO; LANES]; 2];
-            (one[0][0], one[1][0]) = (enter, leave);
-            intervals.push(one);
-        }
-        Self::of((scene, part), intervals, (0, ray.class))
-    }
-
     /// Of one of the rays whose intervals are known, and the class of the surface that it starts on.
     #[inline(always)]
-    pub(crate) const fn of(
+    pub(crate) const fn new(
         (scene, part): (&'a Packed<R>, &'a Island),
         intervals: &'a [Intervals<R>],
         (lane, class): (usize, u32),
@@ -296,17 +276,6 @@ impl<'a, R: Lanes> Crossings<'a, R> {
     fn program(&self) -> impl Iterator<Item = Instruction> + '_ {
         let words = &self.scene.program[self.part.program as usize..self.part.program_end as usize];
         words.iter().map(|word| Instruction(*word))
-    }
-
-    /// A crossing infinitely far away.
-    #[inline(always)]
-    pub(crate) fn endless(&self) -> Hit<R> {
-        Hit {
-            distance: R::INFINITY,
-            leaf: self.leaf(0),
-            leaving: true,
-            ball: None,
-        }
     }
 
     /// Whether the part holds the ray at `distance`: each member counts from its first distance up to, not including,

@@ -4,7 +4,7 @@ use fearless_simd::Simd;
 use scenec_plan::{Child, Real};
 
 use crate::hits::Hits;
-use crate::intervals::Intervals;
+use crate::island::Room;
 use crate::lanes::{LANES, Lanes, Set};
 use crate::ray::Rays;
 use crate::stage::{Prepared, Stage};
@@ -13,8 +13,8 @@ use crate::walk::{Waiting, walk};
 
 /// Room that one thread uses again and again.
 pub(crate) struct Scratch<R> {
-    /// The intervals of one island's members along one ray.
-    intervals: Vec<Intervals<R>>,
+    /// For islands.
+    room: Room<R>,
     /// What waits on a way through the hierarchy.
     waiting: Waiting<R>,
     /// What stood before each light the last time: it often stands before it again.
@@ -24,7 +24,7 @@ pub(crate) struct Scratch<R> {
 impl<R: Real> Scratch<R> {
     pub(crate) fn new(scene: &Prepared<R>) -> Self {
         Self {
-            intervals: Vec::new(),
+            room: Room::new(),
             waiting: Waiting::new(),
             blockers: vec![None; scene.lights.len()],
         }
@@ -61,7 +61,7 @@ pub(crate) fn blocked<R: Lanes, S: Simd>(
     let mut entries = Entries {
         stage,
         rays,
-        intervals: &mut scratch.intervals,
+        room: &mut scratch.room,
         kept: Blocked::new(&rays.end),
     };
     let outside = lanes & !rays.inside;
@@ -86,7 +86,7 @@ fn enter<R: Lanes, S: Simd>(stage: Stage<'_, R, S>, rays: &Rays<R>, lanes: u32, 
     let mut entries = Entries {
         stage,
         rays,
-        intervals: &mut scratch.intervals,
+        room: &mut scratch.room,
         kept: Hits::NONE,
     };
     if lanes != 0 {
@@ -106,7 +106,7 @@ fn leave<R: Lanes, S: Simd>(stage: Stage<'_, R, S>, rays: &Rays<R>, lanes: u32, 
             let (mut open, mut hits) = (lanes, Hits::NONE);
             let mut at = [R::ZERO; LANES];
             while open != 0 {
-                let mut farthest = Farthest::new(stage, rays, &at, &mut scratch.intervals);
+                let mut farthest = Farthest::new(stage, rays, &at, &mut scratch.room);
                 walk(stage, (rays, open), None, &mut scratch.waiting, &mut farthest);
                 let mut reached = farthest.hits;
                 // No part holds the start, which lies within rounding of the surface: on to where the solid begins.

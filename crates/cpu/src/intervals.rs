@@ -1,28 +1,45 @@
 //! Where up to eight rays run inside a surface's solid: the very numbers that [`crate::shape`] finds for one.
 
 use fearless_simd::{Simd, SimdBase};
-use scenec_plan::Instruction;
-use scenec_plan::packed_structs::{Island, Shape};
+use scenec_plan::packed_structs::{Shape, Touch};
 
 use crate::balls::equal;
 use crate::lanes::{LANES, Lanes, bits, load, load3, select, splat, splat3};
 use crate::ray::Rays;
-use crate::shape::{HALF_SPACE, Slope, approach, other_root, parallel, plane_normal, slope, to_local};
-use crate::stage::Stage;
+use crate::shape::{HALF_SPACE, Slope, approach, interval, other_root, parallel, plane_normal, slope, to_local};
 use crate::vector::{Arithmetic, dot, sub};
 
 /// Where rays enter and leave.
 pub(crate) type Intervals<R> = [[R; LANES]; 2];
 
-/// Of a ball, ellipsoid or half-space, by rays whose light, if they run to one, lies on no surface.
+/// Of a ball, ellipsoid or half-space; `touches` are the surfaces that the rays' light lies on.
 #[inline(always)]
-pub(crate) fn intervals<R: Lanes, S: Simd>(simd: S, shape: &Shape<R>, rays: &Rays<R>) -> (R::Eight<S>, R::Eight<S>) {
+pub(crate) fn intervals<R: Lanes, S: Simd>(
+    simd: S,
+    shape: &Shape<R>,
+    rays: &Rays<R>,
+    touches: &[Touch<R>],
+) -> (R::Eight<S>, R::Eight<S>) {
+    if !touches.is_empty() {
+        // What is known of the light decides there, whatever the numbers say.
+        let [enter, leave] = one_by_one(shape, rays, touches);
+        return (load::<R, S>(simd, &enter), load::<R, S>(simd, &leave));
+    }
     let own = equal(&rays.class, shape.class);
     if shape.kind == HALF_SPACE {
         half_space(simd, shape, rays, own)
     } else {
         quadric(simd, shape, rays, own)
     }
+}
+
+#[inline(never)]
+fn one_by_one<R: Lanes>(shape: &Shape<R>, rays: &Rays<R>, touches: &[Touch<R>]) -> Intervals<R> {
+    let mut both = [[R::ZERO; LANES]; 2];
+    for lane in 0..LANES {
+        (both[0][lane], both[1][lane]) = interval(shape, &rays.get(lane), touches);
+    }
+    both
 }
 
 #[inline(always)]
@@ -79,37 +96,109 @@ fn half_space<R: Lanes, S: Simd>(simd: S, shape: &Shape<R>, rays: &Rays<R>, own:
     )
 }
 
-/// Finds those of all members of an island, and which of the rays may be in it somewhere between two distances.
-#[inline(always)]
-pub(crate) fn gather<R: Lanes, S: Simd>(
-    stage: Stage<'_, R, S>,
-    island: &Island,
-    (rays, lanes): (&Rays<R>, u32),
-    (from, until): (&[R; LANES], &[R; LANES]),
-    found: &mut Vec<Intervals<R>>,
-) -> u32 {
-    let simd = stage.simd;
-    found.clear();
-    for leaf in &stage.members[island.members as usize..island.members_end as usize] {
-        let shape = &stage.shapes[stage.leaves[*leaf as usize].shape as usize];
-        let (enter, leave) = intervals(simd, shape, rays);
-        found.push([enter.to_array(), leave.to_array()]);
-    }
-    if island.product == 0 {
-        return lanes;
-    }
-    // A product is nowhere but where all members are that are not taken away.
-    let (mut first, mut last) = (load::<R, S>(simd, from), load::<R, S>(simd, until));
-    let mut held = lanes;
-    for word in &stage.program[island.program as usize..island.program_end as usize] {
-        let (operation, member) = Instruction(*word).parts();
-        if operation == 0 {
-            let [enter, leave] = &found[member as usize];
-            let (enter, leave) = (load::<R, S>(simd, enter), load::<R, S>(simd, leave));
-            held &= bits(enter.simd_lt(leave));
-            first = first.max(enter);
-            last = last.min(leave);
+#[cfg(test)]
+mod tests {
+    use fearless_simd::{Level, SimdBase, dispatch};
+    use scenec_plan::packed_structs::Shape;
+
+    use super::intervals;
+    use crate::lanes::{LANES, Lanes};
+    use crate::ray::{Ray, Rays};
+    use crate::shape::{BALL, HALF_SPACE, interval};
+    use crate::vector::normalize;
+
+    /// Numbers between -1 and 1 without end (Knuth's MMIX generator).
+    struct Random(u64);
+
+    impl Random {
+        fn next<R: Lanes>(&mut self) -> R {
+            self.0 = self
+                .0
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            R::of((self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0)
+        }
+
+        fn three<R: Lanes>(&mut self) -> [R; 3] {
+            [self.next(), self.next(), self.next()]
+        }
+
+        fn shape<R: Lanes>(&mut self, kind: u32) -> Shape<R> {
+            let mut inverse = [R::ZERO; 9];
+            inverse.fill_with(|| self.next());
+            if kind == HALF_SPACE {
+                [inverse[0], inverse[1], inverse[2]] = normalize(self.three());
+            }
+            if kind == BALL {
+                inverse[0] = R::ONE + inverse[0] * inverse[0];
+            }
+            Shape {
+                centre: self.three(),
+                inverse,
+                linear: inverse,
+                kind,
+                class: 1,
+            }
+        }
+
+        /// Every fourth starts on the shape, every seventh runs along a plane.
+        fn ray<R: Lanes>(&mut self, shape: &Shape<R>, number: u32) -> Ray<R> {
+            let normal = [shape.inverse[0], shape.inverse[1], shape.inverse[2]];
+            let direction = if number.is_multiple_of(7) {
+                [normal[1], -normal[0], R::ZERO]
+            } else {
+                self.three()
+            };
+            let local = normalize(self.three());
+            let side = if number.is_multiple_of(8) {
+                normal
+            } else {
+                normal.map(|x| -x)
+            };
+            Ray {
+                origin: self.three(),
+                direction: normalize(direction),
+                local: if shape.kind == HALF_SPACE { side } else { local },
+                class: number % 4,
+                into: number.is_multiple_of(3),
+                inside: false,
+                end: R::INFINITY,
+            }
         }
     }
-    held & bits(first.simd_le(last))
+
+    /// Eight at once are the same bits as one by one.
+    fn check<R: Lanes>(kind: u32) {
+        let mut random = Random(kind.into());
+        for _ in 0..200 {
+            let shape = random.shape::<R>(kind);
+            let mut rays = Rays::EMPTY;
+            let one: Vec<_> = (0..8).map(|number| random.ray(&shape, number)).collect();
+            for (lane, ray) in one.iter().enumerate() {
+                rays.set(lane, ray);
+            }
+            let (enter, leave): ([R; LANES], [R; LANES]) = dispatch!(Level::new(), simd => {
+                let (enter, leave) = intervals(simd, &shape, &rays, &[]);
+                (enter.to_array(), leave.to_array())
+            });
+            for (lane, ray) in one.iter().enumerate() {
+                let expected = interval(&shape, ray, &[]);
+                let bits = |x: R| (x.to_f64() + 0.0).to_bits();
+                let same = |a: R, b: R| bits(a) == bits(b) || a.to_f64().is_nan() && b.to_f64().is_nan();
+                assert!(
+                    same(enter[lane], expected.0) && same(leave[lane], expected.1),
+                    "{shape:?} {ray:?}: {:?}, not {expected:?}",
+                    (enter[lane], leave[lane])
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn eight_rays_are_as_good_as_one() {
+        for kind in 0..=HALF_SPACE {
+            check::<f32>(kind);
+            check::<f64>(kind);
+        }
+    }
 }

@@ -1,30 +1,32 @@
-//! A surface by itself against up to eight rays: the very numbers that [`crate::event`] computes one by one.
+//! A surface by itself against up to eight rays: where they enter and leave it.
 
 use fearless_simd::{Simd, SimdBase};
 use scenec_plan::Packed;
-use scenec_plan::packed_structs::{Island, Shape};
+use scenec_plan::packed_structs::Shape;
 
 use crate::balls::equal;
 use crate::hits::Hit;
 use crate::intervals::intervals;
 use crate::lanes::{LANES, Lanes, bits, load, select, splat};
-use crate::ray::Rays;
+use crate::ray::{Rays, touches};
 
-/// An island that is one leaf.
+/// A leaf that is an island.
 pub(crate) struct Lone<'a, R> {
-    shape: &'a Shape<R>,
+    scene: &'a Packed<R>,
     leaf: u32,
 }
 
-/// The leaf that an island is, if it is one.
-#[inline(always)]
-pub(crate) fn lone<'a, R: Lanes>(scene: &'a Packed<R>, island: &Island) -> Option<Lone<'a, R>> {
-    let leaf = scene.lone(island)?;
-    let shape = &scene.shapes[scene.leaves[leaf as usize].shape as usize];
-    Some(Lone { shape, leaf })
-}
+impl<'a, R: Lanes> Lone<'a, R> {
+    #[inline(always)]
+    pub(crate) const fn new(scene: &'a Packed<R>, leaf: u32) -> Self {
+        Self { scene, leaf }
+    }
 
-impl<R: Lanes> Lone<'_, R> {
+    #[inline(always)]
+    fn shape(&self) -> &'a Shape<R> {
+        &self.scene.shapes[self.scene.leaves[self.leaf as usize].shape as usize]
+    }
+
     /// Which rays from outside enter at a distance of at most `until`, and where. A ray that starts on the surface does not,
     /// and one that starts within by rounding does at 0, if the crossing behind is the nearer one.
     #[inline(always)]
@@ -36,17 +38,17 @@ impl<R: Lanes> Lone<'_, R> {
         until: &[R; LANES],
     ) -> (u32, [R; LANES]) {
         let zero = splat::<R, S>(simd, R::ZERO);
-        let (enter, leave) = intervals(simd, self.shape, rays);
+        let (enter, leave) = intervals(simd, self.shape(), rays, touches(self.scene, rays));
         let within = bits(enter.simd_le(zero) & leave.simd_gt(zero) & (-enter).simd_lt(leave));
         let ahead = bits(enter.simd_gt(zero) & enter.simd_lt(leave) & enter.simd_le(load::<R, S>(simd, until)));
-        let lanes = lanes & (within | ahead) & !equal(&rays.class, self.shape.class);
+        let lanes = lanes & (within | ahead) & !equal(&rays.class, self.shape().class);
         (lanes, select::<R, S>(simd, ahead, enter, zero).to_array())
     }
 
     /// Which rays it holds at a distance, and where these leave it.
     #[inline(always)]
     pub(crate) fn ends<S: Simd>(&self, simd: S, rays: &Rays<R>, lanes: u32, at: &[R; LANES]) -> (u32, [R; LANES]) {
-        let (enter, leave) = intervals(simd, self.shape, rays);
+        let (enter, leave) = intervals(simd, self.shape(), rays, touches(self.scene, rays));
         let at = load::<R, S>(simd, at);
         (lanes & bits(enter.simd_le(at) & at.simd_lt(leave)), leave.to_array())
     }

@@ -1,6 +1,7 @@
 //! Rays and the surfaces that they leave, one by one and eight at once.
 
-use scenec_plan::Real;
+use scenec_plan::packed_structs::Touch;
+use scenec_plan::{Packed, Real};
 
 use crate::lanes::{LANES, Triple, lane3, set3};
 use crate::vector::Vector;
@@ -21,19 +22,8 @@ pub(crate) struct Ray<R> {
     pub(crate) into: bool,
     /// Whether it runs inside the solid at first.
     pub(crate) inside: bool,
-    /// The light that it runs to, if that lies on a surface.
-    pub(crate) end: End<R>,
-}
-
-/// Where a ray to a light ends, and which surfaces the light lies on.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct End<R> {
-    /// Along the ray.
-    pub(crate) distance: R,
-    /// First of the light's touches.
-    pub(crate) touches: u32,
-    /// One past the last of them.
-    pub(crate) touches_end: u32,
+    /// How far the light is that it runs to, if to one.
+    pub(crate) end: R,
 }
 
 /// Up to eight rays, which end at the same light if at any. A bit tells of a lane what a `bool` tells of a [`Ray`].
@@ -78,11 +68,7 @@ impl<R: Real> Rays<R> {
             class: self.class[lane],
             into: self.into >> lane & 1 == 1,
             inside: self.inside >> lane & 1 == 1,
-            end: End {
-                distance: self.end[lane],
-                touches: self.touches,
-                touches_end: self.touches_end,
-            },
+            end: self.end[lane],
         }
     }
 
@@ -105,11 +91,8 @@ impl<R: Real> Rays<R> {
     }
 }
 
-impl<R: Real> End<R> {
-    /// The end of a ray that runs to no light.
-    pub(crate) const NONE: Self = Self {
-        distance: R::INFINITY,
-        touches: 0,
-        touches_end: 0,
-    };
+/// The surfaces that the light lies on that rays run to.
+#[inline(always)]
+pub(crate) fn touches<'a, R>(scene: &'a Packed<R>, rays: &Rays<R>) -> &'a [Touch<R>] {
+    &scene.touches[rays.touches as usize..rays.touches_end as usize]
 }

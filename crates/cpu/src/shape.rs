@@ -57,7 +57,7 @@ pub(crate) fn interval<R: Lanes>(shape: &Shape<R>, ray: &Ray<R>, touches: &[Touc
             return (R::ZERO, R::ZERO);
         }
         if end.is_some() {
-            return (R::ZERO, ray.end.distance);
+            return (R::ZERO, ray.end);
         }
         let direction = to_local(shape.kind, &shape.inverse, ray.direction);
         return (R::ZERO, other_root(dot(ray.local, direction), direction));
@@ -65,8 +65,8 @@ pub(crate) fn interval<R: Lanes>(shape: &Shape<R>, ray: &Ray<R>, touches: &[Touc
     if let Some(touch) = end {
         // The same from the other end.
         let direction = to_local(shape.kind, &shape.inverse, ray.direction);
-        let other = ray.end.distance + other_root(dot(touch.local_point, direction), direction);
-        return (other.min(ray.end.distance), other.max(ray.end.distance));
+        let other = ray.end + other_root(dot(touch.local_point, direction), direction);
+        return (other.min(ray.end), other.max(ray.end));
     }
     approach_of(shape, ray).ends()
 }
@@ -152,7 +152,7 @@ fn half_space<R: Lanes>(shape: &Shape<R>, ray: &Ray<R>, ends_here: bool) -> Inte
     }
     let Slope { towards, above, terms } = slope(normal, shape.centre, ray.origin, ray.direction);
     if ends_here {
-        let distance = ray.end.distance;
+        let distance = ray.end;
         return if above <= R::ZERO {
             (-R::INFINITY, distance)
         } else {

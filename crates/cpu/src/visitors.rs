@@ -4,12 +4,10 @@ use fearless_simd::Simd;
 use scenec_plan::packed_structs::{Block, Island};
 
 use crate::balls::Pairs;
-use crate::crossings::Crossings;
-use crate::event::{entered, entered_leaf, entered_whole, is_whole, left, left_leaf, left_whole};
 use crate::hits::{Ball, Hit, Hits};
-use crate::intervals::{Intervals, gather};
+use crate::island::{Question, Room, changes};
 use crate::lanes::{LANES, Lanes, Set, load, splat};
-use crate::lone::lone;
+use crate::lone::Lone;
 use crate::ray::Rays;
 use crate::stage::Stage;
 use crate::walk::Visitor;
@@ -80,7 +78,7 @@ impl<R: Lanes> Keeper<R> for Blocked<'_, R> {
 pub(crate) struct Entries<'a, R, S, K> {
     pub(crate) stage: Stage<'a, R, S>,
     pub(crate) rays: &'a Rays<R>,
-    pub(crate) intervals: &'a mut Vec<Intervals<R>>,
+    pub(crate) room: &'a mut Room<R>,
     pub(crate) kept: K,
 }
 
@@ -95,6 +93,18 @@ const fn at_ball<R>(block: &Block<R>, (number, place): (usize, usize), distance:
             block: number as u32,
             lane: place as u32,
         }),
+    }
+}
+
+impl<R: Lanes, S: Simd, K: Keeper<R>> Entries<'_, R, S, K> {
+    /// An island that is a leaf.
+    #[inline(always)]
+    fn lone(&mut self, lanes: u32, leaf: u32) {
+        let lone = Lone::new(self.stage.scene, leaf);
+        let (lanes, distance) = lone.entries(self.stage.simd, self.rays, lanes, self.kept.until());
+        for lane in Set(lanes) {
+            self.kept.keep(lane, lone.hit(distance[lane], false));
+        }
     }
 }
 
@@ -118,13 +128,8 @@ impl<R: Lanes, S: Simd, K: Keeper<R>> Visitor<R, S> for Entries<'_, R, S, K> {
         let (simd, rays) = (self.stage.simd, self.rays);
         if rays.is_touching() {
             // What is known of the light decides there, whatever the numbers say.
-            for lane in Set(lanes) {
-                let (ray, until) = (rays.get(lane), self.until()[lane]);
-                for place in Set(block.there) {
-                    if let Some(hit) = entered_leaf(self.stage.scene, block.leaf[place], &ray, until) {
-                        self.kept.keep(lane, hit);
-                    }
-                }
+            for place in Set(block.there) {
+                self.lone(lanes, block.leaf[place]);
             }
         } else if lanes.count_ones() > block.there.count_ones() {
             for place in Set(block.there) {
@@ -150,28 +155,21 @@ impl<R: Lanes, S: Simd, K: Keeper<R>> Visitor<R, S> for Entries<'_, R, S, K> {
 
     #[inline(always)]
     fn island(&mut self, lanes: u32, island: &Island) -> u32 {
-        if let Some(lone) = lone(self.stage.scene, island)
-            && !self.rays.is_touching()
-        {
-            let (lanes, distance) = lone.entries(self.stage.simd, self.rays, lanes, self.until());
-            for lane in Set(lanes) {
-                self.kept.keep(lane, lone.hit(distance[lane], false));
-            }
-        } else if is_whole(island) && !self.rays.is_touching() {
-            let (stage, range) = (self.stage, (&[R::ZERO; LANES], self.kept.until()));
-            for lane in Set(gather(stage, island, (self.rays, lanes), range, self.intervals)) {
-                let one = (lane, self.rays.class[lane]);
-                let crossings = Crossings::of((stage.scene, island), self.intervals, one);
-                if let Some(hit) = entered_whole(&crossings, self.until()[lane]) {
-                    self.kept.keep(lane, hit);
-                }
-            }
-        } else {
-            for lane in Set(lanes) {
-                let (ray, until) = (self.rays.get(lane), self.until()[lane]);
-                if let Some(hit) = entered(self.stage.scene, island, &ray, until, self.intervals) {
-                    self.kept.keep(lane, hit);
-                }
+        if let Some(leaf) = self.stage.scene.lone(island) {
+            self.lone(lanes, leaf);
+            return self.kept.enough();
+        }
+        let question = Question {
+            rays: self.rays,
+            lanes,
+            from: &[R::ZERO; LANES],
+            until: self.kept.until(),
+            inside: false,
+        };
+        let changes = changes(self.stage, island, question, self.room);
+        for lane in Set(lanes) {
+            if let Some(hit) = changes.hits[lane] {
+                self.kept.keep(lane, hit);
             }
         }
         self.kept.enough()
@@ -182,7 +180,7 @@ impl<R: Lanes, S: Simd, K: Keeper<R>> Visitor<R, S> for Entries<'_, R, S, K> {
 pub(crate) struct Farthest<'a, R, S> {
     pub(crate) stage: Stage<'a, R, S>,
     pub(crate) rays: &'a Rays<R>,
-    pub(crate) intervals: &'a mut Vec<Intervals<R>>,
+    pub(crate) room: &'a mut Room<R>,
     /// Where along the rays the points are.
     pub(crate) at: &'a [R; LANES],
     pub(crate) hits: Hits<R>,
@@ -195,12 +193,12 @@ impl<'a, R: Lanes, S> Farthest<'a, R, S> {
         stage: Stage<'a, R, S>,
         rays: &'a Rays<R>,
         at: &'a [R; LANES],
-        intervals: &'a mut Vec<Intervals<R>>,
+        room: &'a mut Room<R>,
     ) -> Self {
         Self {
             stage,
             rays,
-            intervals,
+            room,
             at,
             hits: Hits::NONE,
             endless: 0,
@@ -211,6 +209,18 @@ impl<'a, R: Lanes, S> Farthest<'a, R, S> {
     fn keep(&mut self, lane: usize, hit: Hit<R>) {
         self.hits.keep_last(lane, hit);
         self.endless |= u32::from(hit.distance == R::INFINITY) << lane;
+    }
+}
+
+impl<R: Lanes, S: Simd> Farthest<'_, R, S> {
+    /// An island that is a leaf.
+    #[inline(always)]
+    fn lone(&mut self, lanes: u32, leaf: u32) {
+        let lone = Lone::new(self.stage.scene, leaf);
+        let (lanes, distance) = lone.ends(self.stage.simd, self.rays, lanes, self.at);
+        for lane in Set(lanes) {
+            self.keep(lane, lone.hit(distance[lane], true));
+        }
     }
 }
 
@@ -232,13 +242,8 @@ impl<R: Lanes, S: Simd> Visitor<R, S> for Farthest<'_, R, S> {
         let block = &self.stage.scene.wide.blocks[number];
         let (simd, rays) = (self.stage.simd, self.rays);
         if rays.is_touching() {
-            for lane in Set(lanes) {
-                let ray = rays.get(lane);
-                for place in Set(block.there) {
-                    if let Some(hit) = left_leaf(self.stage.scene, block.leaf[place], &ray, self.at[lane]) {
-                        self.keep(lane, hit);
-                    }
-                }
+            for place in Set(block.there) {
+                self.lone(lanes, block.leaf[place]);
             }
         } else if lanes.count_ones() > block.there.count_ones() {
             for place in Set(block.there) {
@@ -262,29 +267,26 @@ impl<R: Lanes, S: Simd> Visitor<R, S> for Farthest<'_, R, S> {
 
     #[inline(always)]
     fn island(&mut self, lanes: u32, island: &Island) -> u32 {
-        if let Some(lone) = lone(self.stage.scene, island)
-            && !self.rays.is_touching()
-        {
-            let (lanes, distance) = lone.ends(self.stage.simd, self.rays, lanes, self.at);
-            for lane in Set(lanes) {
-                self.keep(lane, lone.hit(distance[lane], true));
-            }
-        } else if is_whole(island) && !self.rays.is_touching() {
-            let (stage, range) = (self.stage, (self.at, self.at));
-            for lane in Set(gather(stage, island, (self.rays, lanes), range, self.intervals)) {
-                let one = (lane, self.rays.class[lane]);
-                let crossings = Crossings::of((stage.scene, island), self.intervals, one);
-                if let Some(hit) = left_whole(&crossings, self.at[lane]) {
-                    self.keep(lane, hit);
-                }
-            }
-        } else {
-            for lane in Set(lanes) {
-                let (ray, at) = (self.rays.get(lane), self.at[lane]);
-                if let Some(hit) = left(self.stage.scene, island, &ray, at, self.intervals) {
-                    self.keep(lane, hit);
-                }
-            }
+        if let Some(leaf) = self.stage.scene.lone(island) {
+            self.lone(lanes, leaf);
+            return self.endless;
+        }
+        let question = Question {
+            rays: self.rays,
+            lanes,
+            from: self.at,
+            until: &[R::INFINITY; LANES],
+            inside: true,
+        };
+        let changes = changes(self.stage, island, question, self.room);
+        for lane in Set(changes.held) {
+            let endless = Hit {
+                distance: R::INFINITY,
+                leaf: self.stage.members[island.members as usize],
+                leaving: true,
+                ball: None,
+            };
+            self.keep(lane, changes.hits[lane].unwrap_or(endless));
         }
         self.endless
     }
