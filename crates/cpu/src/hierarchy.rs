@@ -81,18 +81,24 @@ pub(crate) fn blocked<R: Lanes, S: Simd>(
 }
 
 /// From outside: a union is entered where the first of its parts is.
-#[inline(always)]
+// A function of its own, not a part of both places that ask.
+#[inline(never)]
 fn enter<R: Lanes, S: Simd>(stage: Stage<'_, R, S>, rays: &Rays<R>, lanes: u32, scratch: &mut Scratch<R>) -> Hits<R> {
-    let mut entries = Entries {
-        stage,
-        rays,
-        room: &mut scratch.room,
-        kept: Hits::NONE,
-    };
-    if lanes != 0 {
-        walk(stage, (rays, lanes), None, &mut scratch.waiting, &mut entries);
-    }
-    entries.kept
+    stage.simd.vectorize(
+        #[inline(always)]
+        || {
+            let mut entries = Entries {
+                stage,
+                rays,
+                room: &mut scratch.room,
+                kept: Hits::NONE,
+            };
+            if lanes != 0 {
+                walk(stage, (rays, lanes), None, &mut scratch.waiting, &mut entries);
+            }
+            entries.kept
+        },
+    )
 }
 
 /// From inside: a union is left where a point is reached that no part holds. Each round goes to the farthest end among

@@ -35,11 +35,11 @@ pub(crate) fn intervals<R: Lanes, S: Simd>(
 
 #[inline(never)]
 fn one_by_one<R: Lanes>(shape: &Shape<R>, rays: &Rays<R>, touches: &[Touch<R>]) -> Intervals<R> {
-    let mut both = [[R::ZERO; LANES]; 2];
-    for lane in 0..LANES {
-        (both[0][lane], both[1][lane]) = interval(shape, &rays.get(lane), touches);
+    let [mut enter, mut leave] = [[R::ZERO; LANES]; 2];
+    for (lane, (enter, leave)) in enter.iter_mut().zip(&mut leave).enumerate() {
+        (*enter, *leave) = interval(shape, &rays.get(lane), touches);
     }
-    both
+    [enter, leave]
 }
 
 #[inline(always)]

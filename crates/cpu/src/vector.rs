@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use fearless_simd::{Simd, SimdBase, SimdFloat, f32x8, f64x8};
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat, f32x8, f64x8};
 
 /// What a formula needs of a number, be it one or eight at once.
 pub(crate) trait Arithmetic:
@@ -48,11 +48,21 @@ macro_rules! one {
 }
 
 macro_rules! eight {
-    ($eight:ident) => {
+    ($eight:ident, $emulated:ident) => {
+        // Many instructions, so that it is no part of every place that asks for one.
+        #[inline(never)]
+        fn $emulated<S: Simd>(a: $eight<S>, by: $eight<S>, more: $eight<S>) -> $eight<S> {
+            a.mul_add_precise(by, more)
+        }
+
         impl<S: Simd> Arithmetic for $eight<S> {
             #[inline(always)]
             fn fused(self, by: Self, more: Self) -> Self {
-                self.mul_add_precise(by, more)
+                if has_fused(self.simd.level()) {
+                    self.mul_add_precise(by, more)
+                } else {
+                    $emulated(self, by, more)
+                }
             }
             #[inline(always)]
             fn root(self) -> Self {
@@ -76,8 +86,21 @@ macro_rules! eight {
 
 one!(f32);
 one!(f64);
-eight!(f32x8);
-eight!(f64x8);
+eight!(f32x8, emulated_f32);
+eight!(f64x8, emulated_f64);
+
+/// Whether a multiplication and an addition rounded once are one instruction. The compiler knows.
+#[inline(always)]
+#[cfg(target_arch = "x86_64")]
+const fn has_fused(level: Level) -> bool {
+    !matches!(level, Level::Sse2(_) | Level::Sse4_2(_))
+}
+
+#[inline(always)]
+#[cfg(not(target_arch = "x86_64"))]
+const fn has_fused(_: Level) -> bool {
+    cfg!(target_arch = "aarch64")
+}
 
 pub(crate) type Vector<A> = [A; 3];
 

@@ -98,24 +98,21 @@ pub(crate) fn walk<R: Lanes, S: Simd, V: Visitor<R, S>>(
     visitor: &mut V,
 ) -> Option<Child> {
     let (outside, root) = stage.wide.start.split_at(stage.wide.outside);
-    for child in outside {
+    let mut found = None;
+    // One place that shows things, since the whole test of them becomes a part of each.
+    for (number, child) in outside.iter().copied().chain(guess).enumerate() {
         if lanes != 0 {
-            lanes &= !show(stage, lanes, *child, visitor);
+            let enough = show(stage, lanes, child, visitor);
+            lanes &= !enough;
+            if enough != 0 && number == outside.len() {
+                found = Some(child);
+            }
         }
     }
-    let root = *root.first()?;
-    let mut found = None;
-    if let Some(child) = guess
-        && lanes != 0
-    {
-        let enough = show(stage, lanes, child, visitor);
-        lanes &= !enough;
-        found = (enough != 0).then_some(child);
+    match root.first() {
+        Some(root) if lanes != 0 => descend(stage, (rays, lanes), *root, waiting, visitor).or(found),
+        _ => found,
     }
-    if lanes == 0 {
-        return found;
-    }
-    descend(stage, (rays, lanes), root, waiting, visitor).or(found)
 }
 
 /// The same of the hierarchy alone.
