@@ -17,6 +17,10 @@ use scenec_picture::{Layers, Limits, Request, Tracer, Watch, Window};
 use scenec_plan::Plan;
 use scenec_text::SourceFile;
 
+const SETTINGS: &str = "width := 640\nheight := 360\nraydepth := 0\neyepos_x := 0\neyepos_y := 0\neyepos_z := 9\n\
+    lookat_x := 0\nlookat_y := 0\nlookat_z := 0\nambient_r := 1\nambient_g := 1\nambient_b := 1\nambient_int_r := 1\n\
+    ambient_int_g := 1\nambient_int_b := 1\n?matt := 1 0 0 0 0 1 1 1 1 1\n";
+
 fn main() {
     let mut arguments = std::env::args().skip(1).filter_map(|word| word.parse().ok());
     let balls = arguments.next().unwrap_or(1024);
@@ -33,10 +37,7 @@ fn main() {
 
 /// Small balls all over the picture, without lights and without mirrors, so that each pixel is one ray.
 fn plan(balls: usize) -> Plan {
-    let mut text =
-        "width := 640\nheight := 360\nraydepth := 0\neyepos_x := 0\neyepos_y := 0\neyepos_z := 9\nlookat_x := 0\n\
-        lookat_y := 0\nlookat_z := 0\n?matt := 1 0 0 0 0 1 1 1 1 1\n"
-            .to_owned();
+    let mut text = SETTINGS.to_owned();
     for i in 0..balls {
         // Multiples of irrational numbers spread them evenly (Roberts 2018).
         let place = |step: f64| (i as f64 * step).fract().mul_add(8.0, -4.0);
@@ -47,7 +48,8 @@ fn plan(balls: usize) -> Plan {
         )
         .unwrap();
         match i {
-            0 => writeln!(text, "!u0 := s0").unwrap(),
+            0 => {}
+            1 => writeln!(text, "!u1 := s0 | s1").unwrap(),
             _ => writeln!(text, "!u{i} := u{} | s{i}", i - 1).unwrap(),
         }
     }
