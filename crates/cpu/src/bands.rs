@@ -7,6 +7,7 @@ use scenec_picture::{Exact, NOTHING, Picture, Spread};
 use scenec_plan::packed_structs::Leaf;
 use scenec_plan::{Real, in_doubles, in_singles};
 
+use crate::lanes::LANES;
 use crate::pixel::Pixel;
 
 /// A tile has about this many samples, so that progress and a stop are noticed soon and handing out costs nothing.
@@ -55,7 +56,8 @@ pub(crate) struct Layers<'a> {
 /// Cuts a window up for so many threads, where each pixel has so many samples.
 pub(crate) fn bands<'a>(picture: &'a mut Picture, layers: Layers<'a>, threads: usize, samples: usize) -> Vec<Band<'a>> {
     let (columns, rows) = (picture.width() as usize, picture.height() as usize);
-    let pixels = (TILE_SAMPLES / samples.max(1)).max(1);
+    // Never fewer than are followed at once.
+    let pixels = (TILE_SAMPLES / samples.max(1)).max(LANES);
     let band_rows = MOST_ROWS
         .min(pixels.isqrt())
         .min(rows / (threads * BANDS_PER_THREAD))
