@@ -8,7 +8,7 @@ use crate::island::Room;
 use crate::lanes::{LANES, Lanes, Set};
 use crate::ray::Rays;
 use crate::stage::{Prepared, Stage};
-use crate::visitors::{Blocked, Entries, Farthest};
+use crate::visitors::{Blocked, Farthest, Seeker};
 use crate::walk::{Waiting, walk};
 
 /// Room that one thread uses again and again.
@@ -58,7 +58,7 @@ pub(crate) fn blocked<R: Lanes, S: Simd>(
     light: usize,
     scratch: &mut Scratch<R>,
 ) -> u32 {
-    let mut entries = Entries {
+    let mut seeker = Seeker {
         stage,
         rays,
         room: &mut scratch.room,
@@ -67,10 +67,10 @@ pub(crate) fn blocked<R: Lanes, S: Simd>(
     let outside = lanes & !rays.inside;
     if outside != 0 {
         let blocker = &mut scratch.blockers[light];
-        let found = walk(stage, (rays, outside), *blocker, &mut scratch.waiting, &mut entries);
+        let found = walk(stage, (rays, outside), *blocker, &mut scratch.waiting, &mut seeker);
         *blocker = found.or(*blocker);
     }
-    let mut found = entries.kept.rays;
+    let mut found = seeker.kept.rays;
     if lanes & rays.inside != 0 {
         let left = leave(stage, rays, lanes & rays.inside, scratch);
         for lane in Set(left.met) {
@@ -87,16 +87,16 @@ fn enter<R: Lanes, S: Simd>(stage: Stage<'_, R, S>, rays: &Rays<R>, lanes: u32, 
     stage.simd.vectorize(
         #[inline(always)]
         || {
-            let mut entries = Entries {
+            let mut seeker = Seeker {
                 stage,
                 rays,
                 room: &mut scratch.room,
                 kept: Hits::NONE,
             };
             if lanes != 0 {
-                walk(stage, (rays, lanes), None, &mut scratch.waiting, &mut entries);
+                walk(stage, (rays, lanes), None, &mut scratch.waiting, &mut seeker);
             }
-            entries.kept
+            seeker.kept
         },
     )
 }
@@ -112,9 +112,14 @@ fn leave<R: Lanes, S: Simd>(stage: Stage<'_, R, S>, rays: &Rays<R>, lanes: u32, 
             let (mut open, mut hits) = (lanes, Hits::NONE);
             let mut at = [R::ZERO; LANES];
             while open != 0 {
-                let mut farthest = Farthest::new(stage, rays, &at, &mut scratch.room);
-                walk(stage, (rays, open), None, &mut scratch.waiting, &mut farthest);
-                let mut reached = farthest.hits;
+                let mut seeker = Seeker {
+                    stage,
+                    rays,
+                    room: &mut scratch.room,
+                    kept: Farthest::new(&at),
+                };
+                walk(stage, (rays, open), None, &mut scratch.waiting, &mut seeker);
+                let mut reached = seeker.kept.hits;
                 // No part holds the start, which lies within rounding of the surface: on to where the solid begins.
                 let astray = open & !reached.met & !hits.met;
                 if astray != 0 {

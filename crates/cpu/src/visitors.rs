@@ -12,20 +12,24 @@ use crate::ray::Rays;
 use crate::stage::Stage;
 use crate::walk::Visitor;
 
-/// What becomes of entries.
+/// What becomes of crossings.
 pub(crate) trait Keeper<R> {
     /// Whether near ones spare it others.
     const NEAR_FIRST: bool;
-    /// Beyond these distances nothing matters.
+    /// Whether it wants to know where rays leave what they are in at a distance, not where they enter.
+    const INSIDE: bool;
+    /// Beyond these distances nothing matters; or these are the distances at which the rays are inside.
     fn until(&self) -> &[R; LANES];
-    /// Is told of an entry of a ray.
+    /// Is told of a crossing of a ray.
     fn keep(&mut self, lane: usize, hit: Hit<R>);
     /// The rays that it wants no more of.
     fn enough(&self) -> u32;
 }
 
+/// Keeps the first entries.
 impl<R: Lanes> Keeper<R> for Hits<R> {
     const NEAR_FIRST: bool = true;
+    const INSIDE: bool = false;
 
     #[inline(always)]
     fn until(&self) -> &[R; LANES] {
@@ -57,6 +61,7 @@ impl<'a, R> Blocked<'a, R> {
 
 impl<R: Lanes> Keeper<R> for Blocked<'_, R> {
     const NEAR_FIRST: bool = false;
+    const INSIDE: bool = false;
 
     #[inline(always)]
     fn until(&self) -> &[R; LANES] {
@@ -74,8 +79,48 @@ impl<R: Lanes> Keeper<R> for Blocked<'_, R> {
     }
 }
 
-/// Finds entries of rays from outside.
-pub(crate) struct Entries<'a, R, S, K> {
+/// Keeps the last ends among the parts that hold points of rays.
+pub(crate) struct Farthest<'a, R> {
+    /// Where along the rays the points are.
+    at: &'a [R; LANES],
+    pub(crate) hits: Hits<R>,
+    /// Rays that have no end at all, so that no other part matters.
+    endless: u32,
+}
+
+impl<'a, R: Lanes> Farthest<'a, R> {
+    pub(crate) const fn new(at: &'a [R; LANES]) -> Self {
+        Self {
+            at,
+            hits: Hits::NONE,
+            endless: 0,
+        }
+    }
+}
+
+impl<R: Lanes> Keeper<R> for Farthest<'_, R> {
+    const NEAR_FIRST: bool = false;
+    const INSIDE: bool = true;
+
+    #[inline(always)]
+    fn until(&self) -> &[R; LANES] {
+        self.at
+    }
+
+    #[inline(always)]
+    fn keep(&mut self, lane: usize, hit: Hit<R>) {
+        self.hits.keep_last(lane, hit);
+        self.endless |= u32::from(hit.distance == R::INFINITY) << lane;
+    }
+
+    #[inline(always)]
+    fn enough(&self) -> u32 {
+        self.endless
+    }
+}
+
+/// Finds crossings.
+pub(crate) struct Seeker<'a, R, S, K> {
     pub(crate) stage: Stage<'a, R, S>,
     pub(crate) rays: &'a Rays<R>,
     pub(crate) room: &'a mut Room<R>,
@@ -96,24 +141,38 @@ const fn at_ball<R>(block: &Block<R>, (number, place): (usize, usize), distance:
     }
 }
 
-impl<R: Lanes, S: Simd, K: Keeper<R>> Entries<'_, R, S, K> {
+/// Of these pairs those that a keeper asks for, by its distances.
+#[inline(always)]
+fn met<R: Lanes, S: Simd, K: Keeper<R>>(pairs: &Pairs<R, S>, until: R::Eight<S>) -> (u32, [R; LANES]) {
+    if K::INSIDE {
+        pairs.ends(until)
+    } else {
+        pairs.entries(until)
+    }
+}
+
+impl<R: Lanes, S: Simd, K: Keeper<R>> Seeker<'_, R, S, K> {
     /// An island that is a leaf.
     #[inline(always)]
     fn lone(&mut self, lanes: u32, leaf: u32) {
-        let lone = Lone::new(self.stage.scene, leaf);
-        let (lanes, distance) = lone.entries(self.stage.simd, self.rays, lanes, self.kept.until());
+        let (simd, lone) = (self.stage.simd, Lone::new(self.stage.scene, leaf));
+        let (lanes, distance) = if K::INSIDE {
+            lone.ends(simd, self.rays, lanes, self.kept.until())
+        } else {
+            lone.entries(simd, self.rays, lanes, self.kept.until())
+        };
         for lane in Set(lanes) {
-            self.kept.keep(lane, lone.hit(distance[lane], false));
+            self.kept.keep(lane, lone.hit(distance[lane], K::INSIDE));
         }
     }
 }
 
-impl<R: Lanes, S: Simd, K: Keeper<R>> Visitor<R, S> for Entries<'_, R, S, K> {
+impl<R: Lanes, S: Simd, K: Keeper<R>> Visitor<R, S> for Seeker<'_, R, S, K> {
     const NEAR_FIRST: bool = K::NEAR_FIRST;
 
     #[inline(always)]
-    fn from(&self, _: usize) -> R {
-        R::ZERO
+    fn from(&self, lane: usize) -> R {
+        if K::INSIDE { self.kept.until()[lane] } else { R::ZERO }
     }
 
     #[inline(always)]
@@ -134,19 +193,19 @@ impl<R: Lanes, S: Simd, K: Keeper<R>> Visitor<R, S> for Entries<'_, R, S, K> {
         } else if lanes.count_ones() > block.there.count_ones() {
             for place in Set(block.there) {
                 let pairs = Pairs::of_ball(simd, block, place, rays, lanes & !self.kept.enough());
-                let (lanes, distance) = pairs.entries(load::<R, S>(simd, self.until()));
+                let (lanes, distance) = met::<R, S, K>(&pairs, load::<R, S>(simd, self.until()));
                 for lane in Set(lanes) {
-                    self.kept
-                        .keep(lane, at_ball(block, (number, place), distance[lane], false));
+                    let hit = at_ball(block, (number, place), distance[lane], K::INSIDE);
+                    self.kept.keep(lane, hit);
                 }
             }
         } else {
             for lane in Set(lanes) {
                 let pairs = Pairs::of_block(simd, block, rays, lane);
-                let (places, distance) = pairs.entries(splat::<R, S>(simd, self.until()[lane]));
+                let (places, distance) = met::<R, S, K>(&pairs, splat::<R, S>(simd, self.until()[lane]));
                 for place in Set(places) {
-                    self.kept
-                        .keep(lane, at_ball(block, (number, place), distance[place], false));
+                    let hit = at_ball(block, (number, place), distance[place], K::INSIDE);
+                    self.kept.keep(lane, hit);
                 }
             }
         }
@@ -159,135 +218,31 @@ impl<R: Lanes, S: Simd, K: Keeper<R>> Visitor<R, S> for Entries<'_, R, S, K> {
             self.lone(lanes, leaf);
             return self.kept.enough();
         }
-        let question = Question {
-            rays: self.rays,
-            lanes,
-            from: &[R::ZERO; LANES],
-            until: self.kept.until(),
-            inside: false,
-        };
-        let changes = changes(self.stage, island, question, self.room);
-        for lane in Set(lanes) {
-            if let Some(hit) = changes.hits[lane] {
-                self.kept.keep(lane, hit);
-            }
-        }
-        self.kept.enough()
-    }
-}
-
-/// Keeps the last ends among the parts that hold points of rays.
-pub(crate) struct Farthest<'a, R, S> {
-    pub(crate) stage: Stage<'a, R, S>,
-    pub(crate) rays: &'a Rays<R>,
-    pub(crate) room: &'a mut Room<R>,
-    /// Where along the rays the points are.
-    pub(crate) at: &'a [R; LANES],
-    pub(crate) hits: Hits<R>,
-    /// Rays that have no end at all, so that no other part matters.
-    endless: u32,
-}
-
-impl<'a, R: Lanes, S> Farthest<'a, R, S> {
-    pub(crate) const fn new(
-        stage: Stage<'a, R, S>,
-        rays: &'a Rays<R>,
-        at: &'a [R; LANES],
-        room: &'a mut Room<R>,
-    ) -> Self {
-        Self {
-            stage,
-            rays,
-            room,
-            at,
-            hits: Hits::NONE,
-            endless: 0,
-        }
-    }
-
-    #[inline(always)]
-    fn keep(&mut self, lane: usize, hit: Hit<R>) {
-        self.hits.keep_last(lane, hit);
-        self.endless |= u32::from(hit.distance == R::INFINITY) << lane;
-    }
-}
-
-impl<R: Lanes, S: Simd> Farthest<'_, R, S> {
-    /// An island that is a leaf.
-    #[inline(always)]
-    fn lone(&mut self, lanes: u32, leaf: u32) {
-        let lone = Lone::new(self.stage.scene, leaf);
-        let (lanes, distance) = lone.ends(self.stage.simd, self.rays, lanes, self.at);
-        for lane in Set(lanes) {
-            self.keep(lane, lone.hit(distance[lane], true));
-        }
-    }
-}
-
-impl<R: Lanes, S: Simd> Visitor<R, S> for Farthest<'_, R, S> {
-    const NEAR_FIRST: bool = false;
-
-    #[inline(always)]
-    fn from(&self, lane: usize) -> R {
-        self.at[lane]
-    }
-
-    #[inline(always)]
-    fn until(&self) -> &[R; LANES] {
-        self.at
-    }
-
-    #[inline(always)]
-    fn block(&mut self, lanes: u32, number: usize) -> u32 {
-        let block = &self.stage.scene.wide.blocks[number];
-        let (simd, rays) = (self.stage.simd, self.rays);
-        if rays.is_touching() {
-            for place in Set(block.there) {
-                self.lone(lanes, block.leaf[place]);
-            }
-        } else if lanes.count_ones() > block.there.count_ones() {
-            for place in Set(block.there) {
-                let pairs = Pairs::of_ball(simd, block, place, rays, lanes);
-                let (lanes, distance) = pairs.ends(load::<R, S>(simd, self.at));
-                for lane in Set(lanes) {
-                    self.keep(lane, at_ball(block, (number, place), distance[lane], true));
-                }
-            }
+        let (start, end) = ([R::ZERO; LANES], [R::INFINITY; LANES]);
+        let (from, until) = if K::INSIDE {
+            (self.kept.until(), &end)
         } else {
-            for lane in Set(lanes) {
-                let pairs = Pairs::of_block(simd, block, rays, lane);
-                let (places, distance) = pairs.ends(splat::<R, S>(simd, self.at[lane]));
-                for place in Set(places) {
-                    self.keep(lane, at_ball(block, (number, place), distance[place], true));
-                }
-            }
-        }
-        self.endless
-    }
-
-    #[inline(always)]
-    fn island(&mut self, lanes: u32, island: &Island) -> u32 {
-        if let Some(leaf) = self.stage.scene.lone(island) {
-            self.lone(lanes, leaf);
-            return self.endless;
-        }
+            (&start, self.kept.until())
+        };
         let question = Question {
             rays: self.rays,
             lanes,
-            from: self.at,
-            until: &[R::INFINITY; LANES],
-            inside: true,
+            from,
+            until,
+            inside: K::INSIDE,
         };
         let changes = changes(self.stage, island, question, self.room);
-        for lane in Set(changes.held) {
-            let endless = Hit {
+        for lane in Set(lanes) {
+            let endless = (K::INSIDE && changes.held >> lane & 1 == 1).then(|| Hit {
                 distance: R::INFINITY,
                 leaf: self.stage.members[island.members as usize],
                 leaving: true,
                 ball: None,
-            };
-            self.keep(lane, changes.hits[lane].unwrap_or(endless));
+            });
+            if let Some(hit) = changes.hits[lane].or(endless) {
+                self.kept.keep(lane, hit);
+            }
         }
-        self.endless
+        self.kept.enough()
     }
 }
