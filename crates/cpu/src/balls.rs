@@ -77,7 +77,7 @@ impl<R: Lanes, S: Simd> Pairs<R, S> {
         !bits(dot(across, across).simd_gt(bound)) & ALL
     }
 
-    /// Where rays from outside enter balls at distances of at most `until`, as [`crate::event`] has it for one: the ball that a
+    /// Where rays from outside enter balls at distances of at most `until`, as [`crate::lone`] has it for one: the ball that a
     /// ray starts on is not entered, and one that it starts within by rounding is, at 0, if the crossing behind is the
     /// nearer one.
     #[inline(always)]
