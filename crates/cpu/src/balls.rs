@@ -4,6 +4,7 @@
 use fearless_simd::{Simd, SimdBase};
 use scenec_plan::packed_structs::Block;
 
+use crate::intervals::{ends, entries};
 use crate::lanes::{LANES, Lanes, Vector8, bits, lane3, load, load3, select, splat, splat3};
 use crate::ray::Rays;
 use crate::shape::{Approach, approach, other_root};
@@ -86,11 +87,8 @@ impl<R: Lanes, S: Simd> Pairs<R, S> {
         if near == 0 {
             return (0, [R::ZERO; LANES]);
         }
-        let (enter, leave) = self.approach().0.ends();
-        let zero = splat::<R, S>(self.simd, R::ZERO);
-        let starts_within = enter.simd_le(zero) & leave.simd_gt(zero) & (-enter).simd_lt(leave);
-        let ahead = enter.simd_gt(zero) & enter.simd_lt(leave) & enter.simd_le(until);
-        (bits(starts_within | ahead) & near, enter.max(zero).to_array())
+        let (lanes, distance) = entries::<R, S>(self.simd, self.approach().0.ends(), until);
+        (lanes & near, distance)
     }
 
     /// Which rays are in balls at these distances, and where they leave them.
@@ -106,10 +104,8 @@ impl<R: Lanes, S: Simd> Pairs<R, S> {
         let other = other_root(dot(self.local, direction), direction);
         let enter = select::<R, S>(self.simd, self.into, zero, enter);
         let leave = select::<R, S>(self.simd, self.into, other, leave);
-        (
-            bits(enter.simd_le(at) & at.simd_lt(leave)) & (near | self.into),
-            leave.to_array(),
-        )
+        let (lanes, distance) = ends::<R, S>((enter, leave), at);
+        (lanes & (near | self.into), distance)
     }
 
     /// And the directions in the balls' own coordinates.

@@ -33,6 +33,29 @@ pub(crate) fn intervals<R: Lanes, S: Simd>(
     }
 }
 
+/// Which rays from outside enter at a distance of at most `until`, and where; one that starts within by rounding does at 0, if the
+/// crossing behind is the nearer one.
+#[inline(always)]
+pub(crate) fn entries<R: Lanes, S: Simd>(
+    simd: S,
+    (enter, leave): (R::Eight<S>, R::Eight<S>),
+    until: R::Eight<S>,
+) -> (u32, [R; LANES]) {
+    let zero = splat::<R, S>(simd, R::ZERO);
+    let within = bits(enter.simd_le(zero) & leave.simd_gt(zero) & (-enter).simd_lt(leave));
+    let ahead = bits(enter.simd_gt(zero) & enter.simd_lt(leave) & enter.simd_le(until));
+    (within | ahead, select::<R, S>(simd, ahead, enter, zero).to_array())
+}
+
+/// Which rays are inside at a distance, and where these leave.
+#[inline(always)]
+pub(crate) fn ends<R: Lanes, S: Simd>(
+    (enter, leave): (R::Eight<S>, R::Eight<S>),
+    at: R::Eight<S>,
+) -> (u32, [R; LANES]) {
+    (bits(enter.simd_le(at) & at.simd_lt(leave)), leave.to_array())
+}
+
 #[inline(never)]
 fn one_by_one<R: Lanes>(shape: &Shape<R>, rays: &Rays<R>, touches: &[Touch<R>]) -> Intervals<R> {
     let [mut enter, mut leave] = [[R::ZERO; LANES]; 2];
@@ -150,17 +173,15 @@ mod tests {
                 self.three()
             };
             let local = normalize(self.three());
-            let side = if number.is_multiple_of(8) {
-                normal
-            } else {
-                normal.map(|x| -x)
-            };
+            // Of the two that start on it, one goes either way.
+            let first = number < 4;
+            let side = if first { normal } else { normal.map(|x| -x) };
             Ray {
                 origin: self.three(),
                 direction: normalize(direction),
                 local: if shape.kind == HALF_SPACE { side } else { local },
                 class: number % 4,
-                into: number.is_multiple_of(3),
+                into: first,
                 inside: false,
                 end: R::INFINITY,
             }

@@ -1,13 +1,13 @@
 //! A surface by itself against up to eight rays: where they enter and leave it.
 
-use fearless_simd::{Simd, SimdBase};
+use fearless_simd::Simd;
 use scenec_plan::Packed;
 use scenec_plan::packed_structs::Shape;
 
 use crate::balls::equal;
 use crate::hits::Hit;
-use crate::intervals::intervals;
-use crate::lanes::{LANES, Lanes, bits, load, select, splat};
+use crate::intervals::{ends, entries, intervals};
+use crate::lanes::{LANES, Lanes, load};
 use crate::ray::{Rays, touches};
 
 /// A leaf that is an island.
@@ -37,20 +37,17 @@ impl<'a, R: Lanes> Lone<'a, R> {
         lanes: u32,
         until: &[R; LANES],
     ) -> (u32, [R; LANES]) {
-        let zero = splat::<R, S>(simd, R::ZERO);
-        let (enter, leave) = intervals(simd, self.shape(), rays, touches(self.scene, rays));
-        let within = bits(enter.simd_le(zero) & leave.simd_gt(zero) & (-enter).simd_lt(leave));
-        let ahead = bits(enter.simd_gt(zero) & enter.simd_lt(leave) & enter.simd_le(load::<R, S>(simd, until)));
-        let lanes = lanes & (within | ahead) & !equal(&rays.class, self.shape().class);
-        (lanes, select::<R, S>(simd, ahead, enter, zero).to_array())
+        let interval = intervals(simd, self.shape(), rays, touches(self.scene, rays));
+        let (entering, distance) = entries::<R, S>(simd, interval, load::<R, S>(simd, until));
+        (lanes & entering & !equal(&rays.class, self.shape().class), distance)
     }
 
     /// Which rays it holds at a distance, and where these leave it.
     #[inline(always)]
     pub(crate) fn ends<S: Simd>(&self, simd: S, rays: &Rays<R>, lanes: u32, at: &[R; LANES]) -> (u32, [R; LANES]) {
-        let (enter, leave) = intervals(simd, self.shape(), rays, touches(self.scene, rays));
-        let at = load::<R, S>(simd, at);
-        (lanes & bits(enter.simd_le(at) & at.simd_lt(leave)), leave.to_array())
+        let interval = intervals(simd, self.shape(), rays, touches(self.scene, rays));
+        let (held, distance) = ends::<R, S>(interval, load::<R, S>(simd, at));
+        (lanes & held, distance)
     }
 
     /// The hit at an end.

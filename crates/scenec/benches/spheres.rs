@@ -15,7 +15,6 @@ use std::time::Instant;
 use scenec_cpu::{Cpu, Number};
 use scenec_picture::{Layers, Limits, Request, Tracer, Watch, Window};
 use scenec_plan::Plan;
-use scenec_text::SourceFile;
 
 const SETTINGS: &str = "width := 640\nheight := 360\nraydepth := 0\neyepos_x := 0\neyepos_y := 0\neyepos_z := 9\n\
     lookat_x := 0\nlookat_y := 0\nlookat_z := 0\nambient_r := 1\nambient_g := 1\nambient_b := 1\nambient_int_r := 1\n\
@@ -54,10 +53,7 @@ fn plan(balls: usize) -> Plan {
         }
     }
     writeln!(text, "!u{} <=", balls - 1).unwrap();
-    let source = SourceFile::new("balls", text).unwrap();
-    let (lines, findings) = scenec_syntax::parse(&source);
-    assert!(findings.is_empty(), "{findings:?}");
-    let scene = scenec_interpret::interpret(&source, &lines).0.scene.unwrap();
+    let scene = scenec_interpret::scene_of(&text).unwrap();
     scenec_plan::plan(&scene).unwrap()
 }
 
