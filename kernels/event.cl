@@ -1,37 +1,13 @@
-/* Where a ray crosses the surface of one island: the next distance at which the island's truth changes.
-
-   An island that is divided into cells is followed from cell to cell. What is left of it in a cell has the very truths of the
-   whole there, so both ways find the very same crossings. */
+/* Where rays cross the surface of one island: the next distance at which the island's truth changes. */
 
 /* Whether some island is more than a leaf. */
 #define COMPOUND (PRODUCTS || PROGRAMS)
-
-/* A crossing, or nothing if `leaf` is NOTHING. `leaving` tells of the leaf, not of the solid. */
-typedef struct {
-    real distance;
-    uint leaf;
-    bool leaving;
-} Hit;
-
-Hit new_hit(real distance, uint leaf, bool leaving) {
-    Hit hit;
-    hit.distance = distance;
-    hit.leaf = leaf;
-    hit.leaving = leaving;
-    return hit;
-}
-
-Hit no_hit(void) { return new_hit((real)INFINITY, NOTHING, false); }
 
 #if COMPOUND
 
 #define OPERATION_SHIFT 29
 #define COMPLEMENT 3
 #define PROGRAM_DEPTH 26
-#define CELL_PART 3
-#define CELL_FULL 5
-/* A ray that starts farther out is not followed through cells, whose walls leave no room for its rounding. */
-#define CELLS_REACH ((real)8)
 
 #if !PROGRAMS
 #define IS_PRODUCT(part) true
@@ -39,14 +15,21 @@ Hit no_hit(void) { return new_hit((real)INFINITY, NOTHING, false); }
 #define IS_PRODUCT(part) ((part)->product != 0)
 #endif
 
-/* The intervals of one part's members along one ray: kept where there is room, else computed anew each time. */
+/* What is inside of one surface's solid along one ray. */
+typedef struct {
+    real enter, leave;
+} Interval;
+
+/* The intervals of one part's members along the rays: kept where there is room, else computed anew each time. */
 typedef struct {
     const Scene *scene;
     __global const Island *part;
-    const Ray *ray;
+    const Rays *rays;
+    /* Which of the rays is looked at. */
+    uint lane;
 #if MEMBERS
     bool keeps;
-    Interval kept[MEMBERS];
+    real enter[MEMBERS][LANES], leave[MEMBERS][LANES];
 #endif
 } Crossings;
 
@@ -65,29 +48,42 @@ uint member_leaf(const Crossings *crossings, uint member) {
 
 uint member_count(const Crossings *crossings) { return crossings->part->members_end - crossings->part->members; }
 
-Interval computed(const Crossings *crossings, uint member) {
-    const Scene *scene = crossings->scene;
-    return shape_interval(scene->shapes + scene->leaves[member_leaf(crossings, member)].shape, crossings->ray);
+Interval new_interval(real enter, real leave) {
+    Interval interval;
+    interval.enter = enter;
+    interval.leave = leave;
+    return interval;
+}
+
+Intervals computed(const Crossings *crossings, uint member) {
+    return leaf_intervals(crossings->scene, member_leaf(crossings, member), crossings->rays);
 }
 
 Interval member_interval(const Crossings *crossings, uint member) {
 #if MEMBERS
     if (crossings->keeps)
-        return crossings->kept[member];
+        return new_interval(crossings->enter[member][crossings->lane], crossings->leave[member][crossings->lane]);
 #endif
-    return computed(crossings, member);
+    Intervals all = computed(crossings, member);
+    real enter[LANES], leave[LANES];
+    put(all.enter, enter);
+    put(all.leave, leave);
+    return new_interval(enter[crossings->lane], leave[crossings->lane]);
 }
 
-void cross(Crossings *crossings, const Scene *scene, __global const Island *part, const Ray *ray) {
+void cross(Crossings *crossings, const Scene *scene, __global const Island *part, const Rays *rays) {
     crossings->scene = scene;
     crossings->part = part;
-    crossings->ray = ray;
+    crossings->rays = rays;
 #if MEMBERS
     uint count = member_count(crossings);
     crossings->keeps = count <= MEMBERS;
     if (crossings->keeps)
-        for (uint member = 0; member < count; ++member)
-            crossings->kept[member] = computed(crossings, member);
+        for (uint member = 0; member < count; ++member) {
+            Intervals all = computed(crossings, member);
+            put(all.enter, crossings->enter[member]);
+            put(all.leave, crossings->leave[member]);
+        }
 #endif
 }
 
@@ -191,8 +187,8 @@ Hit behind(const Crossings *crossings, real from) {
     last.distance = -(real)INFINITY;
     for (uint member = 0; member < member_count(crossings); ++member) {
         Interval i = member_interval(crossings, member);
-        if (!(i.enter < i.leave) ||
-            scene->shapes[scene->leaves[member_leaf(crossings, member)].shape].class == crossings->ray->class)
+        if (!(i.enter < i.leave) || scene->shapes[scene->leaves[member_leaf(crossings, member)].shape].class ==
+                                        crossings->rays->class[crossings->lane])
             continue;
         if (i.enter <= from && i.enter > last.distance)
             last = member_hit(crossings, member, i.enter);
@@ -307,95 +303,34 @@ Hit follow(const Crossings *crossings, March *march, real until) {
     }
 }
 
-#if CELLS
-/* Cells that a ray comes to later, each with the distance at which it leaves them. */
-typedef struct {
-    uint count;
-    uint cells[CELLS_DEPTH + 1];
-    real ends[CELLS_DEPTH + 1];
-} Walk;
-
-real component(Vector v, uint axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
-/* The cell that comes next, of which the ray is in until `end`; it was followed until `at`. */
-__global const Cell *next_cell(const Scene *scene, const Ray *ray, Walk *walk, real at, real *end) {
-    walk->count -= 1;
-    *end = walk->ends[walk->count];
-    __global const Cell *cell = scene->cells + walk->cells[walk->count];
-    while (cell->kind < CELL_PART) {
-        real origin = component(ray->origin, cell->kind), direction = component(ray->direction, cell->kind);
-        real wall = cell->wall;
-        /* A ray along the wall gives an infinity or no number, and stays on its side. */
-        real crossed = (wall - origin) / direction;
-        uint below = origin < wall || (origin == wall && direction <= 0);
-        uint near = cell->first + !below, far = cell->first + below;
-        if (crossed > 0 && crossed <= at) {
-            cell = scene->cells + far;
-            continue;
-        }
-        if (crossed > 0 && crossed < *end) {
-            walk->cells[walk->count] = far;
-            walk->ends[walk->count] = *end;
-            walk->count += 1;
-            *end = crossed;
-        }
-        cell = scene->cells + near;
-    }
-    return cell;
+/* Tells of what a ray has met of an island, if anything. What holds it without an end is left infinitely far away. */
+void tell(const Scene *scene, __global const Island *island, Search *search, uint lane, Hit hit, bool held) {
+    if (search->sought == LAST_END && held && hit.leaf == NOTHING)
+        hit = new_hit((real)INFINITY, scene->members[island->members], true);
+    if (hit.leaf != NOTHING)
+        keep_hit(search, lane, hit);
 }
 
-/* The same as `change`, from cell to cell. */
-Hit change_in_cells(const Scene *scene, __global const Island *island, const Ray *ray, real from, real until, bool inside,
-                    bool *held) {
-    Walk walk;
-    walk.count = 1;
-    walk.cells[0] = island->cells;
-    walk.ends[0] = until;
-    March march = new_march(from, inside, inside, no_hit());
-    bool started = false;
-    while (walk.count > 0) {
-        real end;
-        __global const Cell *cell = next_cell(scene, ray, &walk, march.at, &end);
-        if (cell->kind == CELL_PART) {
-            Crossings crossings;
-            cross(&crossings, scene, scene->islands + cell->first, ray);
-            if (!started)
-                march = start_march(&crossings, from, inside);
-            if (inside && !march.held)
-                break;
-            Hit hit = follow(&crossings, &march, end);
-            if (hit.leaf != NOTHING) {
-                *held = march.held;
-                return hit;
-            }
-        } else if (!started) {
-            march = new_march(from, inside, cell->kind == CELL_FULL, no_hit());
-            if (inside && !march.held)
-                break;
-        }
-        started = true;
-        march.at = end;
-    }
-    *held = march.held;
-    return inside && !march.held ? no_hit() : finish(&march);
+real sought_until(const Search *search, uint lane) {
+    return search->sought == LAST_END ? (real)INFINITY : search->until[lane];
 }
-#endif
 
-/* The first change of an island after `from` and not after `until`, of a ray that is inside (or not) to begin with. A ray
-   that is to be inside and is not held by the island there meets nothing. */
-Hit change(const Scene *scene, __global const Island *island, const Ray *ray, real from, real until, bool inside, bool *held) {
-#if CELLS
-    bool far = fabs(ray->origin.x) > CELLS_REACH || fabs(ray->origin.y) > CELLS_REACH || fabs(ray->origin.z) > CELLS_REACH;
-    if (island->cells != NOTHING && !far)
-        return change_in_cells(scene, island, ray, from, until, inside, held);
-#endif
+/* Tells of the first changes of an island in the range that is searched, of rays that are inside (or not) to begin with. A ray that
+   is to be inside and is not held by the island there meets nothing. */
+void change(const Scene *scene, __global const Island *island, const Rays *rays, uint lanes, Search *search) {
+    bool inside = search->sought == LAST_END;
     Crossings crossings;
-    cross(&crossings, scene, island, ray);
-    March march = start_march(&crossings, from, inside);
-    *held = march.held;
-    if (inside && !march.held)
-        return no_hit();
-    Hit hit = follow(&crossings, &march, until);
-    return hit.leaf != NOTHING ? hit : finish(&march);
+    cross(&crossings, scene, island, rays);
+    for (; lanes != 0; lanes = rest_of(lanes)) {
+        uint lane = crossings.lane = first_of(lanes);
+        March march = start_march(&crossings, search->from[lane], inside);
+        Hit hit = no_hit();
+        if (!inside || march.held) {
+            hit = follow(&crossings, &march, sought_until(search, lane));
+            if (hit.leaf == NOTHING)
+                hit = finish(&march);
+        }
+        tell(scene, island, search, lane, hit, march.held);
+    }
 }
 #endif

@@ -1,4 +1,32 @@
-/* Where a ray enters or leaves one island. Most are one leaf, for which the way through `event.cl` is a short one. */
+/* What islands have of what is looked for. Most are one leaf, for which the way through `event.cl` is a short one. */
+
+/* Which rays from outside enter at a distance of at most `until`; one that starts within by rounding does at 0, if the
+   crossing behind is the nearer one. */
+uint entering(Intervals i, reals until) {
+    reals zero = spread((real)0);
+    uint within = set_of(i.enter <= zero) & set_of(i.leave > zero) & set_of(-i.enter < i.leave);
+    uint ahead = set_of(i.enter > zero) & set_of(i.enter < i.leave) & set_of(i.enter <= until);
+    return within | ahead;
+}
+
+/* Shows a leaf to some rays: they don't enter what they start on. */
+void show_leaf(const Scene *scene, const Rays *rays, uint lanes, uint leaf, Search *search) {
+    Intervals i = leaf_intervals(scene, leaf, rays);
+    bool leaving = search->sought == LAST_END;
+    real distance[LANES];
+    if (leaving) {
+        reals at = get(search->from);
+        lanes &= set_of(i.enter <= at) & set_of(at < i.leave);
+        put(i.leave, distance);
+    } else {
+        lanes &= entering(i, get(search->until)) & ~equal(rays->class, scene->shapes[scene->leaves[leaf].shape].class);
+        put(fmax(i.enter, spread((real)0)), distance);
+    }
+    for (; lanes != 0; lanes = rest_of(lanes)) {
+        uint lane = first_of(lanes);
+        keep_hit(search, lane, new_hit(distance[lane], leaf, leaving));
+    }
+}
 
 /* The leaf of an island that is nothing else, as most islands are; NOTHING for others. A complement stands under an operation
    of its own. */
@@ -10,68 +38,21 @@ uint lone(const Scene *scene, __global const Island *island) {
     return scene->members[island->members];
 }
 
-Interval leaf_interval(const Scene *scene, uint leaf, const Ray *ray) {
-    return shape_interval(scene->shapes + scene->leaves[leaf].shape, ray);
-}
-
-/* The first entry into a leaf after the start of a ray from outside, and not after `until`. */
-Hit entered_leaf(const Scene *scene, uint leaf, const Ray *ray, real until) {
-    Interval i = leaf_interval(scene, leaf, ray);
-    if (i.enter <= 0) {
-        /* The ray starts within, by rounding: see `crease`. */
-        bool blocked =
-            0 < i.leave && -i.enter < i.leave && ray->class != scene->shapes[scene->leaves[leaf].shape].class;
-        return blocked ? new_hit(0, leaf, false) : no_hit();
-    }
-    return i.enter < i.leave && i.enter <= until ? new_hit(i.enter, leaf, false) : no_hit();
-}
-
-/* The same of an island. */
-Hit entered(const Scene *scene, __global const Island *island, const Ray *ray, real until) {
-    uint leaf = lone(scene, island);
-#if COMPOUND
-    bool held;
-    if (leaf == NOTHING)
-        return change(scene, island, ray, 0, until, false, &held);
-#endif
-    return entered_leaf(scene, leaf, ray, until);
-}
-
-#if INSIDE
-/* Where a ray leaves a leaf that holds it at `from`, perhaps infinitely far; nothing if the leaf does not. */
-Hit left_leaf(const Scene *scene, uint leaf, const Ray *ray, real from) {
-    Interval i = leaf_interval(scene, leaf, ray);
-    return i.enter <= from && from < i.leave ? new_hit(i.leave, leaf, true) : no_hit();
-}
-
-/* The same of an island. */
-Hit left(const Scene *scene, __global const Island *island, const Ray *ray, real from) {
+/* Shows an island to some rays. */
+void show_island(const Scene *scene, const Rays *rays, uint lanes, __global const Island *island, Search *search) {
     uint leaf = lone(scene, island);
 #if COMPOUND
     if (leaf == NOTHING) {
-        bool held;
-        Hit hit = change(scene, island, ray, from, (real)INFINITY, true, &held);
-        return held && hit.leaf == NOTHING ? new_hit((real)INFINITY, scene->members[island->members], true) : hit;
+#if CELLS
+        uint divided = island->cells == NOTHING ? 0 : lanes & ~far_away(rays);
+        if (divided != 0)
+            change_in_cells(scene, island, rays, divided, search);
+        lanes &= ~divided;
+#endif
+        if (lanes != 0)
+            change(scene, island, rays, lanes, search);
+        return;
     }
 #endif
-    return left_leaf(scene, leaf, ray, from);
+    show_leaf(scene, rays, lanes, leaf, search);
 }
-#endif
-
-/* The nearer of what was found first and what is found next; of two at the same distance the left one owns. */
-Hit nearer(Hit best, Hit hit) {
-    bool better = hit.distance < best.distance || (hit.distance == best.distance && hit.leaf < best.leaf);
-    return hit.leaf != NOTHING && better ? hit : best;
-}
-
-#if INSIDE
-/* The farther of two ends, of which the first may be none. */
-Hit farther(Hit best, Hit hit) {
-    bool better = best.leaf == NOTHING || hit.distance > best.distance ||
-                  (hit.distance == best.distance && hit.leaf < best.leaf);
-    return hit.leaf != NOTHING && better ? hit : best;
-}
-
-/* Whether a part that holds the ray has no end, so that no other matters. */
-bool is_endless(Hit hit) { return hit.leaf != NOTHING && isinf(hit.distance); }
-#endif

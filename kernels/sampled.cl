@@ -39,18 +39,17 @@ void widen(__global Sampled *sampled, uint component, real value) {
 }
 
 /* Widens the range by a colour that is no sample. */
-void see(__global Sampled *sampled, Vector colour) {
-    widen(sampled, 0, colour.x);
-    widen(sampled, 1, colour.y);
-    widen(sampled, 2, colour.z);
+void see(__global Sampled *sampled, const real *colour) {
+    for (uint component = 0; component < 3; ++component)
+        widen(sampled, component, colour[component]);
 }
 
 /* Adds one sample, and the most that its dropped branches could have added to it. */
-void take(__global Sampled *sampled, Vector colour, real dropped) {
+void take(__global Sampled *sampled, const real *colour, real dropped) {
     see(sampled, colour);
-    add_to(sampled, sampled->red, 0, colour.x);
-    add_to(sampled, sampled->green, 1, colour.y);
-    add_to(sampled, sampled->blue, 2, colour.z);
+    add_to(sampled, sampled->red, 0, colour[0]);
+    add_to(sampled, sampled->green, 1, colour[1]);
+    add_to(sampled, sampled->blue, 2, colour[2]);
     sampled->dropped += dropped;
     sampled->count += 1;
     sampled->filled += 1;

@@ -1,62 +1,118 @@
-/* What a surface sends towards the ray by itself: Phong's model with shadows, and the sky. */
+/* What surfaces send towards rays by themselves: Phong's model with shadows, and the sky. */
 
-Vector background(const Scene *scene, Vector direction) {
-    real high = (direction.y + (real)1) / (real)2;
-    Vector nadir = load(scene->frame->nadir), zenith = load(scene->frame->zenith);
-    return vector(((real)1 - high) * nadir.x + high * zenith.x, ((real)1 - high) * nadir.y + high * zenith.y,
-                  ((real)1 - high) * nadir.z + high * zenith.z);
+/* What rays have met is made of, each in its lane; idle lanes have what another has. */
+typedef struct {
+    real ambient[LANES], diffuse[LANES], specular[LANES], reflect[LANES], refract[LANES], index[LANES], shiny[LANES];
+    real colour[3][LANES];
+} Materials;
+
+Materials materials_at(const Scene *scene, const Hits *hits, uint lanes) {
+    Materials all;
+    for (uint lane = 0; lane < LANES; ++lane) {
+        uint leaf = hits->leaf[has(lanes, lane) ? lane : first_of(lanes)];
+        __global const Material *material = scene->materials + scene->leaves[leaf].material;
+        all.ambient[lane] = material->ambient;
+        all.diffuse[lane] = material->diffuse;
+        all.specular[lane] = material->specular;
+        all.reflect[lane] = material->reflect;
+        all.refract[lane] = material->refract;
+        all.index[lane] = material->index;
+        all.shiny[lane] = material->shiny;
+        for (uint i = 0; i < 3; ++i)
+            all.colour[i][lane] = material->colour[i];
+    }
+    return all;
 }
 
-#if LIGHTS && HIGHLIGHTS
-/* max(0, R.V)^s as exp(s log1p(-|R - V|^2 / 2)): R.V itself has lost the digits that a large exponent asks for. */
-real phong(real shiny, const Ray *ray, Vector normal, Vector towards, real cosine) {
-    if (shiny == 0)
-        return 1;
-    Vector mirrored = scale_add(normal, cosine + cosine, negated(towards));
-    Vector gap = add(ray->direction, mirrored);
-    real apart = inner(gap, gap) / (real)2;
-    return apart >= 1 ? (real)0 : exp(shiny * log1p(-apart));
+Vector background(const Scene *scene, Vector direction) {
+    reals high = (direction.y + (real)1) / (real)2, low = (real)1 - high;
+    Vector nadir = load(scene->frame->nadir), zenith = load(scene->frame->zenith);
+    return vector(low * nadir.x + high * zenith.x, low * nadir.y + high * zenith.y, low * nadir.z + high * zenith.z);
+}
+
+#if LIGHTS
+/* A light as seen from contacts: which way it is and how far, and the cosine between that and the normal. */
+typedef struct {
+    Vector towards;
+    reals far, cosine;
+    /* The contacts that it may shine on. */
+    uint lanes;
+} Sight;
+
+Sight sight_of(__global const Light *light, const Contacts *contacts, uint lanes) {
+    Sight sight;
+    Vector way = subtract(load(light->position), contacts->point);
+    /* Scaled before it is squared: a far light's square would overflow. */
+    reals largest = fmax(fmax(fabs(way.x), fabs(way.y)), fabs(way.z));
+    way = scale(way, spread((real)1) / largest);
+    reals length_scaled = sqrt(inner(way, way));
+    sight.towards = scale(way, spread((real)1) / length_scaled);
+    sight.far = length_scaled * largest;
+    sight.cosine = inner(contacts->normal, sight.towards);
+    reals zero = spread((real)0);
+    /* A light at the contact itself has no direction. */
+    sight.lanes = lanes & set_of(largest != zero) & ~set_of(sight.cosine <= zero);
+    return sight;
 }
 #endif
 
-/* Ambient, diffuse and highlights at a contact of `ray`; counts the rays towards lights. */
-Vector local_colour(const Scene *scene, __global const Material *material, const Ray *ray, const Contact *contact,
-                    uint *shadows) {
-    Vector colour = load(material->colour), ambient = load(scene->frame->ambient);
-    Vector sum = vector(material->ambient * colour.x * ambient.x, material->ambient * colour.y * ambient.y,
-                        material->ambient * colour.z * ambient.z);
+#if LIGHTS && HIGHLIGHTS
+/* max(0, R.V)^s as exp(s log1p(-|R - V|^2 / 2)): R.V itself has lost the digits that a large exponent asks for. Powers are taken
+   one by one, since a library may round its vectors otherwise. */
+reals phong(const Materials *materials, const Rays *rays, const Contacts *contacts, const Sight *sight, uint lanes) {
+    reals cosine = sight->cosine;
+    Vector mirrored = scale_add(contacts->normal, cosine + cosine, negated(sight->towards));
+    Vector gap = add(get3(rays->direction), mirrored);
+    real apart[LANES], power[LANES];
+    put(inner(gap, gap) / (real)2, apart);
+    put(spread((real)0), power);
+    for (; lanes != 0; lanes = rest_of(lanes)) {
+        uint lane = first_of(lanes);
+        real shiny = materials->shiny[lane];
+        if (shiny == 0)
+            power[lane] = 1;
+        else if (!(apart[lane] >= 1))
+            power[lane] = exp(shiny * log1p(-apart[lane]));
+    }
+    return get(power);
+}
+#endif
+
+/* Ambient, diffuse and highlights at contacts of rays; tells `asked` how many rays went towards lights, lane by lane. */
+Vector local_colours(const Scene *scene, const Materials *materials, const Rays *rays, const Contacts *contacts, uint lanes,
+                     uint *asked) {
+    Vector colour = get3(materials->colour), ambient = load(scene->frame->ambient);
+    reals share = get(materials->ambient);
+    Vector sum = vector(share * colour.x * ambient.x, share * colour.y * ambient.y, share * colour.z * ambient.z);
+    for (uint lane = 0; lane < LANES; ++lane)
+        asked[lane] = 0;
 #if LIGHTS
     for (uint i = 0; i < scene->frame->lights; ++i) {
         __global const Light *light = scene->lights + i;
-        Vector way = subtract(load(light->position), contact->point);
-        /* Scaled before it is squared: a far light's square would overflow. */
-        real largest = fmax(fmax(fabs(way.x), fabs(way.y)), fabs(way.z));
-        if (largest == 0)
+        Sight sight = sight_of(light, contacts, lanes);
+        if (sight.lanes == 0)
             continue;
-        way = scale(way, (real)1 / largest);
-        real length_scaled = sqrt(inner(way, way));
-        Vector towards = scale(way, (real)1 / length_scaled);
-        real cosine = inner(contact->normal, towards);
-        if (cosine <= 0)
-            continue;
-        Ray shadow = ray_from(contact, towards, false, ray->inside);
+        Rays shadows = rays_from(contacts, sight.towards, false, rays->inside);
 #if TOUCHES
-        shadow.end = length_scaled * largest;
-        shadow.touches = scene->touches + light->touches;
-        shadow.touches_end = scene->touches + light->touches_end;
+        put(sight.far, shadows.end);
+        shadows.touches = scene->touches + light->touches;
+        shadows.touches_end = scene->touches + light->touches_end;
 #endif
-        *shadows += 1;
-        if (blocked(scene, &shadow, length_scaled * largest))
+        for (uint lane = 0; lane < LANES; ++lane)
+            asked[lane] += has(sight.lanes, lane);
+        uint lit = sight.lanes & ~blocked(scene, &shadows, sight.lanes, sight.far);
+        if (lit == 0)
             continue;
-        real diffuse = material->diffuse * cosine;
-        real highlight = 0;
+        reals diffuse = get(materials->diffuse) * sight.cosine, highlight = spread((real)0);
 #if HIGHLIGHTS
-        if (material->specular != 0)
-            highlight = material->specular * phong(material->shiny, ray, contact->normal, towards, cosine);
+        reals specular = get(materials->specular);
+        uint shining = lit & set_of(specular != spread((real)0));
+        if (shining != 0)
+            highlight = choose(shining, specular * phong(materials, rays, contacts, &sight, shining), highlight);
 #endif
-        sum.x = sum.x + (diffuse * colour.x + highlight) * light->colour[0];
-        sum.y = sum.y + (diffuse * colour.y + highlight) * light->colour[1];
-        sum.z = sum.z + (diffuse * colour.z + highlight) * light->colour[2];
+        sum.x = choose(lit, sum.x + (diffuse * colour.x + highlight) * light->colour[0], sum.x);
+        sum.y = choose(lit, sum.y + (diffuse * colour.y + highlight) * light->colour[1], sum.y);
+        sum.z = choose(lit, sum.z + (diffuse * colour.z + highlight) * light->colour[2], sum.z);
     }
 #endif
     return sum;

@@ -1,4 +1,5 @@
-/* Where a ray runs inside a surface's solid: one interval, since balls, ellipsoids and half-spaces are convex. */
+/* Where rays run inside a surface's solid: one interval each, since balls, ellipsoids and half-spaces are convex; and where
+   they meet surfaces. */
 
 #define KIND_BALL 0
 #define KIND_HALF_SPACE 2
@@ -19,46 +20,47 @@
 #define IS_BALL(shape) ((shape)->kind == KIND_BALL)
 #endif
 
-/* Nothing if `enter` is not below `leave`. */
+/* Of a lane nothing if `enter` is not below `leave`. */
 typedef struct {
-    real enter, leave;
-} Interval;
+    reals enter, leave;
+} Intervals;
 
 typedef struct {
     Vector direction, nearest;
-    real distance, half_chord;
+    reals distance, half_chord;
 } Approach;
 
-typedef struct {
-    Vector point, place, normal;
-    uint class;
-    /* Whether the ray comes from within the shape's solid, and whether that is a half-space. */
-    bool leaving, flat;
-} Contact;
-
-Interval interval(real enter, real leave) {
-    Interval i;
+Intervals intervals(reals enter, reals leave) {
+    Intervals i;
     i.enter = enter;
     i.leave = leave;
     return i;
 }
 
-Vector to_local(__global const Shape *shape, Vector v) {
-    return IS_BALL(shape) ? scale(v, shape->inverse[0]) : rows(shape->inverse, v);
+Intervals choose_intervals(uint set, Intervals in, Intervals out) {
+    return intervals(choose(set, in.enter, out.enter), choose(set, in.leave, out.leave));
 }
 
-/* Closest approach with one residual step: nothing large cancels in 1 - |nearest|^2, and the step takes away the rounding
-   of the first projection. A miss gives a NaN, whose interval holds no number. */
-Approach approach(__global const Shape *shape, const Ray *ray) {
+/* A row times a vector. */
+reals row(__global const real *m, Vector v) { return inner(load(m), v); }
+
+Vector to_local(__global const Shape *shape, Vector v) {
+    if (IS_BALL(shape))
+        return scale(v, spread(shape->inverse[0]));
+    return vector(row(shape->inverse, v), row(shape->inverse + 3, v), row(shape->inverse + 6, v));
+}
+
+/* Closest approach of a line to the unit sphere's centre with one residual step: nothing large cancels in 1 - |nearest|^2, and
+   the step takes away the rounding of the first projection. A miss gives a NaN, whose interval holds no number. */
+Approach approach(Vector start, Vector direction) {
     Approach a;
-    Vector start = to_local(shape, subtract(ray->origin, load(shape->centre)));
-    a.direction = to_local(shape, ray->direction);
-    real square = inner(a.direction, a.direction);
-    real first = -inner(start, a.direction) / square;
-    Vector rough = scale_add(a.direction, first, start);
-    real rest = -inner(rough, a.direction) / square;
-    a.nearest = scale_add(a.direction, rest, rough);
-    real discriminant = fma(-a.nearest.x, a.nearest.x, (real)1);
+    a.direction = direction;
+    reals square = inner(direction, direction);
+    reals first = -inner(start, direction) / square;
+    Vector rough = scale_add(direction, first, start);
+    reals rest = -inner(rough, direction) / square;
+    a.nearest = scale_add(direction, rest, rough);
+    reals discriminant = fma(-a.nearest.x, a.nearest.x, spread((real)1));
     discriminant = fma(-a.nearest.y, a.nearest.y, discriminant);
     discriminant = fma(-a.nearest.z, a.nearest.z, discriminant);
     a.distance = first + rest;
@@ -66,10 +68,12 @@ Approach approach(__global const Shape *shape, const Ray *ray) {
     return a;
 }
 
+Intervals chord(const Approach *a) { return intervals(a->distance - a->half_chord, a->distance + a->half_chord); }
+
 #if TOUCHES
-/* Whether the ray's end lies on the surface, and where. */
-__global const Touch *touch_of(__global const Shape *shape, const Ray *ray) {
-    for (__global const Touch *touch = ray->touches; touch != ray->touches_end; ++touch)
+/* Whether the rays' end lies on a surface, and where. */
+__global const Touch *touch_of(__global const Shape *shape, const Rays *rays) {
+    for (__global const Touch *touch = rays->touches; touch != rays->touches_end; ++touch)
         if (touch->class == shape->class)
             return touch;
     return 0;
@@ -77,106 +81,77 @@ __global const Touch *touch_of(__global const Shape *shape, const Ray *ray) {
 #endif
 
 /* From a point p of the unit sphere along d: the other root of |p + t d| = 1, given p.d. */
-real other_root(real towards, Vector direction) { return -(towards + towards) / inner(direction, direction); }
+reals other_root(reals towards, Vector direction) { return -(towards + towards) / inner(direction, direction); }
 
-Interval half_space_interval(__global const Shape *shape, const Ray *ray) {
-    Vector normal = load(shape->inverse);
-    /* Of one class are this plane's half-spaces on either side, so the product is 1 or -1. */
-    if (shape->class == ray->class)
-        return inner(normal, ray->place) >= 0 ? interval(-(real)INFINITY, 0) : interval(0, (real)INFINITY);
-    real towards = inner(normal, ray->direction);
-    real above = inner(normal, subtract(ray->origin, load(shape->centre)));
+#if HALF_SPACES
+Intervals half_space_intervals(__global const Shape *shape, const Rays *rays, uint own) {
+    Vector normal = load(shape->inverse), direction = get3(rays->direction);
+    reals zero = spread((real)0), ever = spread((real)INFINITY);
+    reals above = inner(normal, subtract(get3(rays->origin), load(shape->centre)));
+    uint below = set_of(above <= zero), ahead, along = 0;
+    reals crossed;
 #if TOUCHES
-    if (touch_of(shape, ray))
-        return above <= 0 ? interval(-(real)INFINITY, ray->end) : interval(ray->end, (real)INFINITY);
+    if (touch_of(shape, rays)) {
+        ahead = below;
+        crossed = get(rays->end);
+    } else
 #endif
-    /* Three products and two sums: below this size the sign of `towards` is rounding. */
-    real terms =
-        fabs(normal.x * ray->direction.x) + fabs(normal.y * ray->direction.y) + fabs(normal.z * ray->direction.z);
-    if (fabs(towards) <= (real)3 * ROUNDOFF * terms)
-        return above <= 0 ? interval(-(real)INFINITY, (real)INFINITY) : interval((real)INFINITY, -(real)INFINITY);
-    real distance = -above / towards;
-    return towards > 0 ? interval(-(real)INFINITY, distance) : interval(distance, (real)INFINITY);
+    {
+        reals towards = inner(normal, direction);
+        /* Three products and two sums: below this size the sign of `towards` is rounding. */
+        reals terms = fabs(normal.x * direction.x) + fabs(normal.y * direction.y) + fabs(normal.z * direction.z);
+        along = set_of(fabs(towards) <= (real)3 * ROUNDOFF * terms);
+        ahead = set_of(towards > zero);
+        crossed = -above / towards;
+    }
+    Intervals result = intervals(choose(ahead, -ever, crossed), choose(ahead, crossed, ever));
+    if (along != 0)
+        result = choose_intervals(along, choose_intervals(below, intervals(-ever, ever), intervals(ever, -ever)), result);
+    if (own != 0) {
+        /* Of one class are this plane's half-spaces on either side, so the product is 1 or -1. */
+        uint outside = set_of(inner(normal, get3(rays->place)) >= zero);
+        result = choose_intervals(own, choose_intervals(outside, intervals(-ever, zero), intervals(zero, ever)), result);
+    }
+    return result;
 }
+#endif
 
-Interval shape_interval(__global const Shape *shape, const Ray *ray) {
+/* Where rays run inside a shape. */
+Intervals shape_intervals(__global const Shape *shape, const Rays *rays) {
+    uint own = equal(rays->class, shape->class);
+#if HALF_SPACES
     if (IS_HALF_SPACE(shape))
-        return half_space_interval(shape, ray);
-    if (shape->class == ray->class) {
-        /* Deflation: the start lies on this sphere, so its roots are exactly 0 and -2 (p.d)/(d.d). */
-        if (!ray->into)
-            return interval(0, 0);
-#if TOUCHES
-        if (touch_of(shape, ray))
-            return interval(0, ray->end);
+        return half_space_intervals(shape, rays, own);
 #endif
-        Vector direction = to_local(shape, ray->direction);
-        return interval(0, other_root(inner(ray->place, direction), direction));
-    }
+    Vector direction = to_local(shape, get3(rays->direction));
+    reals zero = spread((real)0);
+    Intervals result = intervals(zero, zero);
 #if TOUCHES
-    __global const Touch *touch = touch_of(shape, ray);
+    __global const Touch *touch = touch_of(shape, rays);
+    reals end = get(rays->end);
     if (touch) {
-        /* The same from the other end. */
-        Vector direction = to_local(shape, ray->direction);
-        real other = ray->end + other_root(inner(load(touch->local_point), direction), direction);
-        return interval(fmin(other, ray->end), fmax(other, ray->end));
-    }
+        /* Deflation, from the other end. */
+        reals other = end + other_root(inner(load(touch->local_point), direction), direction);
+        result = intervals(fmin(other, end), fmax(other, end));
+    } else
 #endif
-    Approach a = approach(shape, ray);
-    return interval(a.distance - a.half_chord, a.distance + a.half_chord);
-}
-
-/* Where the ray meets the surface at `distance`, on its way in or out; the normal is turned to the ray's side by the kind
-   of crossing, not by a product that rounding may turn over. */
-Contact contact(__global const Shape *shape, const Ray *ray, real distance, bool leaving) {
-    Contact c;
-    c.class = shape->class;
-    c.leaving = leaving;
-    c.flat = IS_HALF_SPACE(shape);
-    if (IS_HALF_SPACE(shape)) {
-        Vector outward = load(shape->inverse);
-        Vector point = scale_add(ray->direction, distance, ray->origin);
-        /* One projection takes the rounding across the plane away. */
-        real off = inner(outward, subtract(point, load(shape->centre)));
-        c.point = scale_add(outward, -off, point);
-        c.place = vector(0, 0, 0);
-        c.normal = leaving ? negated(outward) : outward;
-        return c;
+    if (own != ALL_LANES) {
+        Approach a = approach(to_local(shape, subtract(get3(rays->origin), load(shape->centre))), direction);
+        result = chord(&a);
     }
-    if (shape->class == ray->class) {
-        c.place = scale_add(to_local(shape, ray->direction), distance, ray->place);
-    } else {
-        Approach a = approach(shape, ray);
-        c.place = scale_add(a.direction, leaving ? a.half_chord : -a.half_chord, a.nearest);
-    }
-    c.place = unit(c.place);
-    Vector outward = c.place;
-    Vector world;
-    if (IS_BALL(shape)) {
-        world = scale(c.place, shape->linear[0]);
-    } else {
-        world = rows(shape->linear, c.place);
-        outward = unit(columns(shape->inverse, c.place));
-    }
-    c.point = add(load(shape->centre), world);
-    c.normal = leaving ? negated(outward) : outward;
-    return c;
-}
-
-/* The ray that leaves a contact in this direction, `behind` the surface or on the side of the one that came. */
-Ray ray_from(const Contact *contact, Vector direction, bool behind, bool inside) {
-    Ray ray;
-    ray.origin = contact->point;
-    ray.direction = direction;
-    ray.place = contact->place;
-    if (contact->flat)
-        ray.place = behind ? negated(contact->normal) : contact->normal;
-    ray.class = contact->class;
-    ray.into = contact->leaving != behind;
-    ray.inside = inside;
+    if (own != 0) {
+        /* Deflation: the start lies on this sphere, so its roots are exactly 0 and -2 (p.d)/(d.d). */
+        reals other = other_root(inner(get3(rays->place), direction), direction);
 #if TOUCHES
-    ray.end = (real)INFINITY;
-    ray.touches = ray.touches_end = 0;
+        if (touch)
+            other = end;
 #endif
-    return ray;
+        Intervals known = intervals(zero, choose(rays->into, other, zero));
+        result = own == ALL_LANES ? known : choose_intervals(own, known, result);
+    }
+    return result;
+}
+
+Intervals leaf_intervals(const Scene *scene, uint leaf, const Rays *rays) {
+    return shape_intervals(scene->shapes + scene->leaves[leaf].shape, rays);
 }

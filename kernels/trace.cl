@@ -1,27 +1,24 @@
 /* The entry points. */
 
-/* The ray through a point of a pixel, measured from the pixel's centre. */
-Ray camera_ray(__global const Frame *frame, uint column, uint row, real right, real down) {
-    /* The whole part of the position is an integer that is exact in single precision. */
-    real x = ((real)((int)(2 * column + 1) - (int)frame->width) + (real)2 * right) / (real)frame->width;
-    real y = -(((real)((int)(2 * row + 1) - (int)frame->height) + (real)2 * down) / (real)frame->height);
-    Ray ray;
-    ray.origin = load(frame->eye);
-    ray.direction = unit(scale_add(load(frame->up), y, scale_add(load(frame->right), x, load(frame->forward))));
+/* Rays through points of pixels, measured from the pixels' centres. `across` and `down` count from the picture's centre in
+   halves of pixels; these are integers that are exact in single precision. */
+Rays camera_rays(__global const Frame *frame, reals across, reals down, reals right_of, reals below) {
+    reals x = (across + (real)2 * right_of) / (real)frame->width;
+    reals y = -((down + (real)2 * below) / (real)frame->height);
+    Vector direction = unit(scale_add(load(frame->up), y, scale_add(load(frame->right), x, load(frame->forward))));
     /* An eye that is on no surface has the normal 0, and all rays go to its side. */
     Vector normal = load(frame->eye_normal);
-    bool behind = inner(normal, ray.direction) < 0;
-    ray.place = load(frame->eye_local);
-    if (frame->eye_flat)
-        ray.place = behind ? negated(normal) : normal;
-    ray.class = frame->eye_class;
-    ray.into = behind;
-    ray.inside = frame->eye_inside >> behind & 1;
-#if TOUCHES
-    ray.end = (real)INFINITY;
-    ray.touches = ray.touches_end = 0;
-#endif
-    return ray;
+    uint behind = set_of(inner(normal, direction) < spread((real)0));
+    Rays rays;
+    no_rays(&rays);
+    put3(load(frame->eye), rays.origin);
+    put3(direction, rays.direction);
+    put3(frame->eye_flat ? choose3(behind, negated(normal), normal) : load(frame->eye_local), rays.place);
+    for (uint lane = 0; lane < LANES; ++lane)
+        rays.class[lane] = frame->eye_class;
+    rays.into = behind;
+    rays.inside = (frame->eye_inside & 1 ? ~behind : 0) | (frame->eye_inside & 2 ? behind : 0);
+    return rays;
 }
 
 /* What a ray finds islands by. */
@@ -73,141 +70,144 @@ Scene scene_of(SCENE_PARAMETERS) {
     return scene;
 }
 
-/* Nothing yet. */
-Spent nothing_spent() {
-    Spent spent;
-    spent.rays = 0;
-    spent.dropped = 0;
+/* Gives lanes that have nothing to follow the next rays of their pixels, or of the next pixels; which have one then. `busy` are
+   the lanes with a pixel. */
+uint begin_rays(Work *work, uint lanes, Pixel *pixels, Paths *paths, Rays *rays, uint *busy) {
+    __global const Frame *frame = work->scene->frame;
+    real across[LANES], down[LANES], right_of[LANES], below[LANES];
+    put(spread((real)0), across);
+    put(spread((real)0), down);
+    put(spread((real)0), right_of);
+    put(spread((real)0), below);
+    uint begun = 0;
+    for (; lanes != 0; lanes = rest_of(lanes)) {
+        uint lane = first_of(lanes);
+        Pixel *pixel = pixels + lane;
+        Spent *spent = paths->spent + lane;
+        bool found = false;
+        while (!found) {
+            if (!has(*busy, lane)) {
+                if (!next_pixel(work, pixel, spent))
+                    break;
+                *busy |= 1u << lane;
+            }
+            found = next_point(work, pixel, spent, right_of + lane, below + lane);
+            if (!found) {
+                end_pixel(work, pixel, spent);
+                *busy &= ~(1u << lane);
+            }
+        }
+        if (!found)
+            continue;
+        begun |= 1u << lane;
+        across[lane] = (real)((int)(2 * pixel->column + 1) - (int)frame->width);
+        down[lane] = (real)((int)(2 * pixel->row + 1) - (int)frame->height);
+        spent->rays += 1;
 #if SPREAD
-    spent.spare = (real)INFINITY;
+        if (REFINES(work)) {
+            spent->dropped = 0;
+            spent->spare = frame->spare;
+        }
 #endif
-    spent.over = false;
-    spent.shadow = spent.reflected = spent.refracted = 0;
-    return spent;
+        paths->weight[lane] = 1;
+        paths->bounces[lane] = frame->raydepth;
+        for (uint component = 0; component < 3; ++component)
+            paths->colour[component][lane] = 0;
+#if BRANCHING
+        paths->count[lane] = 0;
+#endif
+    }
+    if (begun != 0) {
+        Rays eye = camera_rays(frame, get(across), get(down), get(right_of), get(below));
+        take_over(rays, begun, &eye);
+    }
+    return begun;
 }
 
-/* What earlier samples took. */
-Spent spent_by(__global const Outcome *outcome) {
-    Spent spent = nothing_spent();
-    spent.dropped = outcome->dropped;
-    spent.shadow = outcome->shadow;
-    spent.reflected = outcome->reflected;
-    spent.refracted = outcome->refracted;
-    spent.over = outcome->over;
-    spent.rays = outcome->primary + spent.reflected + spent.refracted;
-    return spent;
-}
-
-void keep(__global Outcome *outcome, const Spent *spent) {
-    outcome->dropped = spent->dropped;
-    outcome->primary = spent->rays - spent->reflected - spent->refracted;
-    outcome->shadow = spent->shadow;
-    outcome->reflected = spent->reflected;
-    outcome->refracted = spent->refracted;
-    outcome->over = spent->over;
+/* Follows all rays of a work-item's pixels. */
+void trace_pixels(Work *work) {
+    const Scene *scene = work->scene;
+    Pixel pixels[LANES];
+    Paths paths;
+    Rays rays;
+    no_rays(&rays);
+    for (uint lane = 0; lane < LANES; ++lane) {
+        paths.weight[lane] = 0;
+        for (uint component = 0; component < 3; ++component)
+            paths.colour[component][lane] = 0;
+    }
+    uint busy = 0, open = 0;
+    for (;;) {
+        uint begun = begin_rays(work, ALL_LANES & ~open, pixels, &paths, &rays, &busy);
+        open |= begun;
+        if (open == 0)
+            return;
+        Hits hits;
+        first_crossings(scene, &rays, open, &hits);
+        for (uint set = begun; set != 0; set = rest_of(set)) {
+            uint lane = first_of(set), leaf = hits.leaf[lane];
+            if (pixels[lane].sample != 0 || REFINES(work))
+                continue;
+            pixels[lane].solid = leaf == NOTHING ? NOTHING : scene->leaves[leaf].solid;
+#if DISTANCES
+            work->outcomes[pixels[lane].place].distance = hits.distance[lane];
+#endif
+        }
+        uint going = go_on(scene, &rays, open, &hits, &paths);
+        for (uint set = open & ~going; set != 0; set = rest_of(set)) {
+            uint lane = first_of(set);
+            real colour[3] = {paths.colour[0][lane], paths.colour[1][lane], paths.colour[2][lane]};
+            end_point(work, pixels + lane, paths.spent + lane, colour);
+        }
+        open = going;
+    }
 }
 
 /* Traces a tile of the window, row by row in `outcomes`: the samples from `first` up to, not including, `end` of its pixels.
    What the samples before them came to is in `outcomes`; after the last ones the means are. */
 __kernel void trace(SCENE_PARAMETERS, __global Outcome *outcomes, __global Sampled *sums, uint tile_column,
                     uint tile_row, uint columns, uint rows, uint first, uint end) {
-    if (get_global_id(0) >= columns || get_global_id(1) >= rows)
-        return;
-    uint place = get_global_id(1) * columns + get_global_id(0);
-    __global Outcome *outcome = outcomes + place;
-    uint column = frame->window_x + tile_column + get_global_id(0);
-    uint row = frame->window_y + tile_row + get_global_id(1);
     Scene scene = scene_of(SCENE_ARGUMENTS);
-    Spent spent = nothing_spent();
-    Vector sum = vector(0, 0, 0);
-    uint solid = NOTHING;
-#if SUPERSAMPLING
-    if (first > 0) {
-        spent = spent_by(outcome);
-        sum = load(outcome->colour);
-        solid = outcome->solid;
-    }
-#endif
+    Work work;
+    work.scene = &scene;
+    work.outcomes = outcomes;
+    work.sums = sums;
+    work.tile_column = tile_column;
+    work.tile_row = tile_row;
+    work.columns = columns;
+    work.rows = rows;
+    work.first = first;
+    work.end = end;
+    work.taken = 0;
 #if SPREAD
-    if (first == 0)
-        begin(sums + place);
+    work.pixels = 0;
 #endif
-    for (uint k = first; k < end; ++k) {
-        if (spent.rays >= frame->ray_budget) {
-            spent.dropped += reach[frame->raydepth];
-            spent.over = true;
-            continue;
-        }
-        spent.rays += 1;
-        Hit hit;
-        Ray ray = camera_ray(frame, column, row, samples[2 * k], samples[2 * k + 1]);
-        Vector colour = walk(&scene, ray, &spent, &hit);
-        sum = add(sum, colour);
-#if SPREAD
-        take(sums + place, colour, 0);
-#endif
-        if (k == 0) {
-            solid = hit.leaf == NOTHING ? NOTHING : leaves[hit.leaf].solid;
-#if DISTANCES
-            outcome->distance = hit.leaf == NOTHING ? (real)INFINITY : hit.distance;
-#endif
-        }
-    }
-#if SUPERSAMPLING
-    if (end == frame->samples && end > 1) {
-        real share = (real)1 / (real)end;
-        sum = scale(sum, share);
-        spent.dropped *= share;
-    }
-#endif
-    outcome->colour[0] = sum.x;
-    outcome->colour[1] = sum.y;
-    outcome->colour[2] = sum.z;
-    outcome->solid = solid;
-    keep(outcome, &spent);
+    trace_pixels(&work);
 }
 
 #if SPREAD
-/* The colour that a pixel's next ray brings back, through a point of it; what may be dropped of it is counted from nothing. */
-Vector next_colour(const Scene *scene, uint column, uint row, real right, real down, Spent *spent) {
-    spent->rays += 1;
-    spent->dropped = 0;
-    spent->spare = scene->frame->spare;
-    Hit hit;
-    return walk(scene, camera_ray(scene->frame, column, row, right, down), spent, &hit);
-}
-
-/* Looks at the points on a pixel's sides: its corners, and three on each side between them. */
-void look_around(const Scene *scene, uint column, uint row, __global Sampled *sums, Spent *spent) {
-    for (uint k = 0; k < 16; ++k) {
-        real along = (real)(k % 4) / (real)4 - (real)0.5, end = k < 8 ? (real)0.5 : -(real)0.5;
-        along = k < 8 ? along : -along;
-        bool across = k / 4 % 2 == 0;
-        see(sums, next_colour(scene, column, row, across ? along : end, across ? -end : along, spent));
-    }
-}
-
 /* Goes on with some pixels, which are numbered row by row within the window: their samples from `first` up to, not including,
-   `end`, until the rays of a pixel run out; before all of them its sides, if they are asked for. The items are laid out in rows of `width`, of which a tile is run. */
+   `end`, until the rays of a pixel run out; before all of them its sides, if they are asked for. The pixels are laid out in rows
+   of `width`, of which a tile is run. */
 __kernel void refine(SCENE_PARAMETERS, __global Outcome *outcomes, __global Sampled *sums, __global const uint *pixels,
                      uint sides, uint count, uint width, uint tile_column, uint tile_row, uint columns, uint rows, uint first,
                      uint end) {
-    uint item = (tile_row + get_global_id(1)) * width + tile_column + get_global_id(0);
-    if (get_global_id(0) >= columns || get_global_id(1) >= rows || item >= count)
-        return;
-    uint column = frame->window_x + pixels[item] % frame->window_width;
-    uint row = frame->window_y + pixels[item] / frame->window_width;
     Scene scene = scene_of(SCENE_ARGUMENTS);
-    Spent spent = first == 0 ? nothing_spent() : spent_by(outcomes + item);
-    if (first == 0) {
-        begin(sums + item);
-        if (sides)
-            look_around(&scene, column, row, sums + item, &spent);
-    }
-    for (uint k = first; k < end && spent.rays < frame->ray_budget; ++k) {
-        Vector colour = next_colour(&scene, column, row, samples[2 * k], samples[2 * k + 1], &spent);
-        take(sums + item, colour, spent.dropped);
-    }
-    keep(outcomes + item, &spent);
+    Work work;
+    work.scene = &scene;
+    work.outcomes = outcomes;
+    work.sums = sums;
+    work.tile_column = tile_column;
+    work.tile_row = tile_row;
+    work.columns = columns;
+    work.rows = rows;
+    work.first = first;
+    work.end = end;
+    work.taken = 0;
+    work.pixels = pixels;
+    work.count = count;
+    work.width = width;
+    work.sides = sides;
+    trace_pixels(&work);
 }
 #endif

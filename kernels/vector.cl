@@ -1,11 +1,10 @@
-/* Three numbers, as scalars: a vector type's unused lane can hold denormals, and compilers vectorise across work-items only
-   without it. */
+/* Three numbers, lane by lane. */
 
 typedef struct {
-    real x, y, z;
+    reals x, y, z;
 } Vector;
 
-Vector vector(real x, real y, real z) {
+Vector vector(reals x, reals y, reals z) {
     Vector v;
     v.x = x;
     v.y = y;
@@ -13,32 +12,35 @@ Vector vector(real x, real y, real z) {
     return v;
 }
 
-Vector load(__global const real *v) { return vector(v[0], v[1], v[2]); }
+/* The same in every lane. */
+Vector load(__global const real *v) { return vector(spread(v[0]), spread(v[1]), spread(v[2])); }
+
+/* Of every lane its own. */
+Vector get3(const real (*v)[LANES]) { return vector(get(v[0]), get(v[1]), get(v[2])); }
+
+void put3(Vector v, real (*to)[LANES]) {
+    put(v.x, to[0]);
+    put(v.y, to[1]);
+    put(v.z, to[2]);
+}
+
+Vector choose3(uint set, Vector in, Vector out) {
+    return vector(choose(set, in.x, out.x), choose(set, in.y, out.y), choose(set, in.z, out.z));
+}
 
 Vector add(Vector a, Vector b) { return vector(a.x + b.x, a.y + b.y, a.z + b.z); }
 
 Vector subtract(Vector a, Vector b) { return vector(a.x - b.x, a.y - b.y, a.z - b.z); }
 
-Vector scale(Vector a, real by) { return vector(a.x * by, a.y * by, a.z * by); }
+Vector scale(Vector a, reals by) { return vector(a.x * by, a.y * by, a.z * by); }
 
 Vector negated(Vector a) { return vector(-a.x, -a.y, -a.z); }
 
 /* a * by + b, each component rounded once. */
-Vector scale_add(Vector a, real by, Vector b) {
+Vector scale_add(Vector a, reals by, Vector b) {
     return vector(fma(a.x, by, b.x), fma(a.y, by, b.y), fma(a.z, by, b.z));
 }
 
-real inner(Vector a, Vector b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
+reals inner(Vector a, Vector b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
 
-Vector unit(Vector a) { return scale(a, (real)1 / sqrt(inner(a, a))); }
-
-/* Rows times vector. */
-Vector rows(__global const real *m, Vector v) {
-    return vector(inner(load(m), v), inner(load(m + 3), v), inner(load(m + 6), v));
-}
-
-/* Columns times vector: the transpose of the rows. */
-Vector columns(__global const real *m, Vector v) {
-    return vector(inner(vector(m[0], m[3], m[6]), v), inner(vector(m[1], m[4], m[7]), v),
-                  inner(vector(m[2], m[5], m[8]), v));
-}
+Vector unit(Vector a) { return scale(a, spread((real)1) / sqrt(inner(a, a))); }

@@ -20,16 +20,21 @@ macro_rules! pieces {
 
 /// The pieces of the tracer, in order.
 pub const TRACER: &[Piece] = pieces![
+    "lanes.cl",
     "vector.cl",
     "scene.cl",
     "shape.cl",
+    "search.cl",
     "event.cl",
+    "cells.cl",
     "island.cl",
     "pairs.cl",
     "eights.cl",
     "solid.cl",
+    "contact.cl",
     "shade.cl",
     "path.cl",
     "sampled.cl",
+    "pixel.cl",
     "trace.cl"
 ];

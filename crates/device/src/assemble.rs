@@ -33,6 +33,12 @@ impl std::fmt::Display for Precision {
     }
 }
 
+/// The side of the square of pixels that a work-item traces: enough to keep eight rays together, or one.
+#[must_use]
+pub(crate) const fn item_side(features: &Features) -> u32 {
+    if features.eights { 4 } else { 1 }
+}
+
 /// The source of the tracer for scenes with these features.
 #[must_use]
 pub fn source(precision: Precision, features: &Features) -> String {
@@ -41,6 +47,7 @@ pub fn source(precision: Precision, features: &Features) -> String {
         // Writing to a string does not fail.
         let _ = writeln!(text, "#define {name} {value}");
     }
+    let _ = writeln!(text, "#define ITEM_SIDE {}", item_side(features));
     for Piece { name, text: piece } in TRACER {
         let _ = write!(text, "#line 1 \"{name}\"\n{piece}");
     }
@@ -86,13 +93,10 @@ fn prelude(precision: Precision) -> String {
     // A compiler that fuses on its own would fuse differently in a specialised program than in the general one.
     let mut text = String::from("#pragma OPENCL FP_CONTRACT OFF\n");
     text.push_str(match precision {
-        Precision::F32 => {
-            "typedef float real;\n#define REAL_EPSILON FLT_EPSILON\ntypedef float8 real8;\ntypedef int8 truth8;\n\
-             #define to_real8 convert_float8\n"
-        }
+        Precision::F32 => "typedef float real;\n#define REAL_EPSILON FLT_EPSILON\n#define DOUBLES 0\n",
         Precision::F64 => {
             "#pragma OPENCL EXTENSION cl_khr_fp64 : enable\ntypedef double real;\n#define REAL_EPSILON DBL_EPSILON\n\
-             typedef double8 real8;\ntypedef long8 truth8;\n#define to_real8 convert_double8\n"
+             #define DOUBLES 1\n"
         }
     });
     for Layout { name, fields } in LAYOUTS {

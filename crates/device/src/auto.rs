@@ -63,12 +63,12 @@ pub fn features(nanoseconds: f64, info: &DeviceInfo, precision: Precision, plan:
     own
 }
 
-/// The same features in the way that suits a device: eight boxes and eight balls at a time make a processor's vectors, and
-/// nothing else does, while a GPU makes its own of neighbouring rays.
+/// The same features in the way that suits a device: eight rays, boxes or balls at a time make a processor's vectors, and nothing
+/// else does, while a GPU makes its own of neighbouring rays.
 #[must_use]
 pub fn suited(info: &DeviceInfo, features: Features) -> Features {
     Features {
-        eights: features.hierarchy && info.kind == DeviceKind::Cpu,
+        eights: info.kind == DeviceKind::Cpu,
         ..features
     }
 }

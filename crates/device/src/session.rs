@@ -7,7 +7,7 @@ use crate::cache::Cache;
 use crate::calls::{self, Plain};
 use crate::discover::discover;
 use crate::error::{DeviceError, MEMORY_HELP, guarded};
-use crate::info::DeviceInfo;
+use crate::info::{DeviceInfo, DeviceKind};
 use crate::program::{self, Program};
 use ocl::core::{self, CommandQueue, CommandQueueProperties, Context, DeviceId, Event, Kernel};
 use ocl::core::{KernelInfo, KernelInfoResult, KernelWorkGroupInfo, KernelWorkGroupInfoResult, ProfilingInfo};
@@ -16,6 +16,8 @@ use std::time::Instant;
 /// The sides of a work-group. Always the same: a size left to the driver, or one that follows the picture, makes
 /// PoCL compile anew for each width.
 const GROUP: [usize; 2] = [16, 16];
+/// The same on a processor, whose threads take groups one by one: small ones are shared out evenly.
+const GROUP_OF_PROCESSOR: [usize; 2] = [4, 4];
 
 /// An open device, with a queue that takes one command after another.
 #[derive(Debug)]
@@ -121,8 +123,8 @@ impl Session {
     /// Runs a kernel over at least `size` work-items across and down, and waits for it. Returns the time it took
     /// on the device in nanoseconds.
     ///
-    /// Work-groups are 16 by 16 (smaller only where the device can't), so there are up to 15 work-items too many
-    /// each way, which the kernel must leave idle.
+    /// Work-groups are 16 by 16, or 4 by 4 on a processor (smaller only where the device can't), so there are up to 15
+    /// work-items too many each way, which the kernel must leave idle.
     ///
     /// # Errors
     ///
@@ -146,7 +148,11 @@ impl Session {
             for (index, arg) in (0u32..).zip(args) {
                 arg.set(&kernel, index).map_err(fault)?;
             }
-            let local = group(self.group_limit(&kernel));
+            let sides = match self.info.kind {
+                DeviceKind::Cpu => GROUP_OF_PROCESSOR,
+                _ => GROUP,
+            };
+            let local = group(sides, self.group_limit(&kernel));
             let global = [
                 round_up(size[0] as usize, local[0]),
                 round_up(size[1] as usize, local[1]),
@@ -191,10 +197,9 @@ fn nanoseconds(event: &Event) -> Option<u64> {
     at(ProfilingInfo::End)?.checked_sub(at(ProfilingInfo::Start)?)
 }
 
-/// The largest part of [`GROUP`] with no more than `most` work-items. The rows go first: devices that put
-/// neighbouring work-items into one vector take them from a row.
-fn group(most: usize) -> [usize; 2] {
-    let [mut across, mut down] = GROUP;
+/// The largest part of a group with no more than `most` work-items. The rows go first: devices that put neighbouring
+/// work-items into one vector take them from a row.
+fn group([mut across, mut down]: [usize; 2], most: usize) -> [usize; 2] {
     while across * down > most.max(1) {
         if down > 1 { down /= 2 } else { across /= 2 }
     }
@@ -210,7 +215,7 @@ mod tests {
     use super::*;
 
     fn check(most: usize, expect: [usize; 2]) {
-        assert_eq!(group(most), expect, "{most}");
+        assert_eq!(group(GROUP, most), expect, "{most}");
     }
 
     #[test]

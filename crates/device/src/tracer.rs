@@ -6,7 +6,7 @@ use scenec_picture::{Exact, Frame, NOTHING, Picture, Refiner, Request, Spread, S
 use scenec_plan::packed_structs::{self, Outcome, Sampled};
 use scenec_plan::{Features, Plan, Real, in_doubles, in_singles};
 
-use crate::assemble::{Precision, options, relaxed_options, source};
+use crate::assemble::{Precision, item_side, options, relaxed_options, source};
 use crate::buffer::{Arg, Buffer};
 use crate::calls::Plain;
 use crate::error::DeviceError;
@@ -82,6 +82,8 @@ pub(crate) struct OpenCl<R> {
     distances: bool,
     /// Whether it tells how far samples are apart.
     pub(crate) spread: bool,
+    /// The side of the square of pixels that a work-item traces.
+    side: u32,
     /// World units per plan unit.
     unit: f64,
     pub(crate) frame: packed_structs::Frame<R>,
@@ -116,13 +118,14 @@ impl<R: Real + Plain> OpenCl<R> {
             math,
             distances: features.distances,
             spread: features.spread,
+            side: item_side(features),
             unit: plan.scale.recip(),
             frame: packed.frame,
             scene,
         })
     }
 
-    /// Runs a kernel, which is given the scene and then `more`; returns the device's nanoseconds.
+    /// Runs a kernel over so many pixels, which is given the scene and then `more`; returns the device's nanoseconds.
     pub(crate) fn run(
         &self,
         kernel: &str,
@@ -132,7 +135,8 @@ impl<R: Real + Plain> OpenCl<R> {
     ) -> Result<u64, DeviceError> {
         let mut args = self.scene.args(frame);
         args.extend_from_slice(more);
-        self.session.run(&self.program, kernel, &args, size)
+        let items = size.map(|pixels| pixels.div_ceil(self.side));
+        self.session.run(&self.program, kernel, &args, items)
     }
 
     /// Runs some samples of a tile.

@@ -23,7 +23,8 @@ pub struct Features {
     pub cells: bool,
     /// There is a hierarchy.
     pub hierarchy: bool,
-    /// The hierarchy is read with eight boxes to a node and eight balls to a leaf, as suits processors.
+    /// Rays are followed eight together, through a hierarchy with eight boxes to a node and eight balls to a leaf, as suits
+    /// processors.
     pub eights: bool,
     /// There are lights, hence shadow rays.
     pub lights: bool,
