@@ -300,18 +300,19 @@ impl Work<'_> {
         let pixels: Vec<u32> = (0..count).collect();
         let enough =
             |index: usize, so_far: &Sampled| least.get(index).is_none_or(|least| so_far.count >= u32::from(*least));
-        self.refine(tracer, &pixels, &enough)
+        self.refine(tracer, &pixels, true, &enough)
     }
 
     /// More samples where the first ones do not suffice.
     fn settle(&self, tracer: &mut dyn Refiner, first: &[Refined]) -> Result<(Vec<Settled>, Stats), TraceError> {
         let ranges: Vec<_> = first.iter().map(|pixel| Range::of(&pixel.spread)).collect();
         let around = around(&ranges, self.window.width as usize);
+        // What the first look saw at a pixel's sides is not looked at again.
         let doubt = |place: usize, pixel: &Refined| {
             self.doubts.of_pixel(
                 pixel.samples,
                 pixel.mean,
-                &pixel.spread,
+                &pixel.spread.widened(&first[place].spread),
                 &around[place],
                 Taken::ToTolerance,
             )
@@ -331,20 +332,14 @@ impl Work<'_> {
         self.asked.watch.advance((settled.len() - places.len()) as u64);
         let enough = |index: usize, so_far: &Sampled| {
             let place = pixels[index] as usize;
-            let doubt = self.doubts.of_pixel(
-                so_far.count,
-                so_far.mean(),
-                &so_far.spread(),
-                &around[place],
-                Taken::ToTolerance,
-            );
-            let done = so_far.count > first[place].samples && self.is_done(so_far.count, &doubt);
+            let done = so_far.count > first[place].samples
+                && self.is_done(so_far.count, &doubt(place, &Refined::from(so_far)));
             if done {
                 self.asked.watch.advance(1);
             }
             done || self.asked.watch.stopped()
         };
-        let (refined, stats) = self.refine(tracer, &pixels, &enough)?;
+        let (refined, stats) = self.refine(tracer, &pixels, false, &enough)?;
         for ((index, place), refined) in places.into_iter().zip(&pixels).zip(refined) {
             let doubt = doubt(*place as usize, &refined);
             settled[index] = Settled { refined, doubt };
@@ -368,6 +363,7 @@ impl Work<'_> {
         &self,
         tracer: &mut dyn Refiner,
         pixels: &[u32],
+        sides: bool,
         enough: &(dyn Fn(usize, &Sampled) -> bool + Sync),
     ) -> Result<(Vec<Refined>, Stats), TraceError> {
         let spare = DROPPED * self.asked.tolerance;
@@ -378,7 +374,7 @@ impl Work<'_> {
         let task = Task {
             pixels,
             enough,
-            sides: true,
+            sides,
             spare,
         };
         tracer.refine(self.window, limits, &task, self.asked.watch)

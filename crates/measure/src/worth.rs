@@ -89,7 +89,7 @@ impl<'a> Uniform<'a> {
         Ok(Self { wish, cpu })
     }
 
-    /// The first number to stop at from 64 up to a given one, with which no pixel is further from the truth than the
+    /// The first of 64, 96, 128, 192 and so on up to a given number, with which no pixel is further from the truth than the
     /// tolerance; and the rays of one sample for each pixel.
     fn enough(&mut self, truth: &Exact, most: u32) -> Result<(u32, f64), TraceError> {
         let window = self.wish.window;
@@ -118,7 +118,11 @@ impl<'a> Uniform<'a> {
             if samples >= most || found.iter().map(|pixel| &pixel.mean).zip(truth).all(near) {
                 return Ok((samples, stats.rays() as f64 / f64::from(samples)));
             }
-            samples = Sampled::stop_after(samples);
+            samples = if samples.is_power_of_two() {
+                samples / 2 * 3
+            } else {
+                samples / 3 * 4
+            };
         }
     }
 }

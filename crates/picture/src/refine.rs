@@ -42,7 +42,7 @@ pub struct Task<'a> {
     /// Numbers of pixels, counted row by row within the window.
     pub pixels: &'a [u32],
     /// Whether a pixel, by its place among those above, has enough samples. Asked at the numbers at which
-    /// [`Sampled::is_stop`]: 16, 24, 32, 48, 64, 96 and so on.
+    /// [`Sampled::is_stop`]: 16, 18, 20 and so on.
     pub enough: &'a (dyn Fn(usize, &Sampled) -> bool + Sync),
     /// Whether the points on a pixel's sides are looked at before its samples: they count in its range, and in nothing else.
     pub sides: bool,

@@ -35,6 +35,16 @@ impl Spread {
             dropped: upwards(dropped),
         }
     }
+
+    /// The same in a range that holds another one's as well.
+    #[must_use]
+    pub fn widened(&self, other: &Self) -> Self {
+        Self {
+            low: [0, 1, 2].map(|component| self.low[component].min(other.low[component])),
+            high: [0, 1, 2].map(|component| self.high[component].max(other.high[component])),
+            ..*self
+        }
+    }
 }
 
 /// As a single, and never less: what is proven stays so.
@@ -102,10 +112,10 @@ impl Sampled {
         (self.whole, self.size) = (Self::BLOCKS / 2, self.size * 2);
     }
 
-    /// Whether this is a number of samples to stop at: 16, 24, 32, 48, 64, 96 and so on, which whole blocks make up.
+    /// Whether this is a number of samples to stop at, which whole blocks make up: 16, 18, 20 up to 32, 36, 40 up to 64, 72 and so on.
     #[must_use]
     pub const fn is_stop(&self) -> bool {
-        self.size > 1 && self.filled == 0 && self.whole.is_multiple_of(Self::BLOCKS / 4)
+        self.size > 1 && self.filled == 0
     }
 
     /// How many whole blocks there are of so many samples.
@@ -121,12 +131,12 @@ impl Sampled {
     /// The first number to stop at that is above this one.
     #[must_use]
     pub const fn stop_after(count: u32) -> u32 {
-        if count < 16 {
-            return 16;
+        let blocks = Self::BLOCKS as u32;
+        if count < blocks {
+            return blocks;
         }
-        let power = 1 << count.ilog2();
-        let between = power + power / 2;
-        if count < between { between } else { 2 * power }
+        let size = 2 * (1 << count.ilog2()) / blocks;
+        (count / size + 1) * size
     }
 
     /// Their mean; black without any.
@@ -229,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn there_are_two_stops_between_a_number_and_its_double() {
+    fn there_are_eight_stops_from_a_number_to_its_double() {
         let mut sampled = Sampled::default();
         let mut stops = Vec::new();
         for _ in 0..200 {
@@ -237,7 +247,9 @@ mod tests {
             assert_eq!(Sampled::blocks_of(sampled.count), sampled.whole);
             stops.extend(sampled.is_stop().then_some(sampled.count));
         }
-        assert_eq!(stops, [16, 24, 32, 48, 64, 96, 128, 192]);
+        assert_eq!(stops[..9], [16, 18, 20, 22, 24, 26, 28, 30, 32]);
+        assert_eq!(stops[9..17], [36, 40, 44, 48, 52, 56, 60, 64]);
+        assert_eq!(stops[17..], [72, 80, 88, 96, 104, 112, 120, 128, 144, 160, 176, 192]);
         let next = |count: &u32| Some(Sampled::stop_after(*count)).filter(|next| *next < 200);
         assert_eq!(std::iter::successors(next(&0), next).collect::<Vec<_>>(), stops);
     }

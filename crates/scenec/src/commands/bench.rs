@@ -87,7 +87,7 @@ Examples:
   scenec bench scenes/glass.scene scenes/mirrors.scene -o bench --size 120x80 --device none
   scenec bench --stability > stability.md
   scenec bench --stability --povray --brief --device none > stability.md
-  scenec bench scenes/*.scene --tolerance 1/255 --size 48x32
+  scenec bench one.scene other.scene --tolerance 1/255 --size 48x32
 
 Exit codes:
   0    everything is written, and no picture is more wrong than its bound
