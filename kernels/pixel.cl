@@ -40,6 +40,8 @@ typedef struct {
 
 #if SPREAD
 #define REFINES(work) ((work)->pixels != 0)
+/* Whether samples are summed up in blocks: one alone tells nothing that its colour does not. */
+#define SUMS_UP(work) (REFINES(work) || (work)->scene->frame->samples > 1)
 #else
 #define REFINES(work) false
 #endif
@@ -111,7 +113,7 @@ bool next_pixel(Work *work, Pixel *pixel, Spent *spent) {
     for (uint component = 0; component < 3; ++component)
         pixel->sum[component] = begins ? (real)0 : outcome->colour[component];
 #if SPREAD
-    if (begins)
+    if (begins && SUMS_UP(work))
         begin(work->sums + pixel->place);
     pixel->side = REFINES(work) && work->sides && begins ? 0 : SIDE_POINTS;
 #endif
@@ -156,7 +158,8 @@ void end_point(const Work *work, Pixel *pixel, const Spent *spent, const real *c
         pixel->side += 1;
         return;
     }
-    take(sums, colour, REFINES(work) ? spent->dropped : (real)0);
+    if (SUMS_UP(work))
+        take(sums, colour, REFINES(work) ? spent->dropped : (real)0);
 #endif
     for (uint component = 0; component < 3; ++component)
         pixel->sum[component] = pixel->sum[component] + colour[component];

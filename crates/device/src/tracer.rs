@@ -154,6 +154,11 @@ impl<R: Real + Plain> OpenCl<R> {
         self.run("trace", frame, &more, [run.columns, run.rows])
     }
 
+    /// Whether the program sums up samples in blocks: one alone tells nothing that its colour does not.
+    const fn sums_up(&self) -> bool {
+        self.spread && self.frame.samples > 1
+    }
+
     /// Room for a tile: of so many pixels, or of as many as the device has memory for.
     fn room(&self, pixels: usize) -> Result<Room<R>, DeviceError> {
         let most = match self.session.device().kind {
@@ -162,7 +167,7 @@ impl<R: Real + Plain> OpenCl<R> {
         };
         let mut pixels = pixels.clamp(LEAST, most);
         loop {
-            let sums = self.session.zeros(if self.spread { pixels } else { 1 });
+            let sums = self.session.zeros(if self.sums_up() { pixels } else { 1 });
             let room = self
                 .session
                 .zeros(pixels)
@@ -178,7 +183,7 @@ impl<R: Real + Plain> OpenCl<R> {
 /// What a tile's pixels come to.
 struct Room<R> {
     outcomes: Buffer<Outcome<R>>,
-    /// Of one pixel, if the program does not tell how far samples are apart.
+    /// Of one pixel, if the program does not sum them up.
     sums: Buffer<Sampled<R>>,
 }
 
@@ -208,7 +213,14 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
         let frame = self.session.upload(&[self.frame]).map_err(failed)?;
         let room = self.room(count).map_err(failed)?;
         let mut tile = vec![Outcome::<R>::default(); room.outcomes.len()];
-        let mut sums = vec![Sampled::<R>::default(); if spread.is_some() { tile.len() } else { 0 }];
+        let mut sums = vec![
+            Sampled::<R>::default();
+            if spread.is_some() && self.sums_up() {
+                tile.len()
+            } else {
+                0
+            }
+        ];
         let mut stats = Stats::default();
         let mut kernel_ns = 0;
         let mut pace = Pace::new(window.width, window.height, self.frame.samples, tile.len());
@@ -224,7 +236,7 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
             }
             let done = &mut tile[..run.pixels()];
             self.session.read(&room.outcomes, 0, done).map_err(failed)?;
-            if spread.is_some() {
+            if !sums.is_empty() {
                 let sums = &mut sums[..run.pixels()];
                 self.session.read(&room.sums, 0, sums).map_err(failed)?;
             }
@@ -243,7 +255,11 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
                         distances[at + i] = outcome.distance.to_f64() * self.unit;
                     }
                     if let Some(spread) = &mut spread {
-                        spread[at + i] = in_picture(&sums[of_row + i]).spread_with(outcome.dropped.to_f64());
+                        let dropped = outcome.dropped.to_f64();
+                        spread[at + i] = match sums.get(of_row + i) {
+                            Some(sums) => in_picture(sums).spread_with(dropped),
+                            None => Spread::of_one(in_doubles(outcome.colour), dropped),
+                        };
                     }
                     stats = stats.merge(pixel_stats(outcome));
                 }
