@@ -1,7 +1,8 @@
 //! The calls of the bindings that are unsafe, each behind a check that makes it safe.
 //!
-//! All unsafe code of this crate is here. Every command takes an event and has ended when its function returns,
-//! so that no memory is in use by a device afterwards; some drivers also leak what is run without an event.
+//! All unsafe code of this crate is here. Every command takes an event and has ended when its function returns, so that no memory
+//! of ours is in use by a device afterwards; a kernel, which uses none of it, may run on. Some drivers leak what is run without an
+//! event.
 
 #![allow(unsafe_code)]
 
@@ -82,7 +83,7 @@ pub(crate) fn read(queue: &CommandQueue, buffer: &Mem, start: usize, into: &mut 
         .map_err(|error| DeviceError::of_call("read a buffer", &error))
 }
 
-/// Runs a kernel whose arguments are all set, waits for it, and returns its event for the timings.
+/// Has a kernel run whose arguments are all set, and returns its event.
 pub(crate) fn launch(
     queue: &CommandQueue,
     kernel: &Kernel,
@@ -97,9 +98,15 @@ pub(crate) fn launch(
         let (global, local) = (wide(global), Some(wide(local)));
         core::enqueue_kernel(queue, kernel, 2, None, &global, local, None::<Event>, Some(&mut event))
     }
-    .and_then(|()| core::wait_for_event(&event))
+    // Some drivers begin only when they are told to, or waited for.
+    .and_then(|()| core::flush(queue))
     .map_err(|error| DeviceError::of_call("run a kernel", &error))?;
     Ok(event)
+}
+
+/// Waits for a kernel.
+pub(crate) fn wait(event: &Event) -> Result<(), DeviceError> {
+    core::wait_for_event(event).map_err(|error| DeviceError::of_call("run a kernel", &error))
 }
 
 #[cfg(test)]

@@ -18,6 +18,7 @@ mod sampled;
 mod scene;
 mod select;
 mod session;
+mod tiles;
 mod tracer;
 
 pub use assemble::{Precision, options, probe, source};

@@ -12,7 +12,9 @@ use crate::calls::Plain;
 use crate::error::DeviceError;
 use crate::pace::Pace;
 use crate::sampled::in_picture;
-use crate::tracer::{OpenCl, failed, pixel_stats};
+use crate::session::Running;
+use crate::tiles::pixel_stats;
+use crate::tracer::{OpenCl, failed};
 
 /// The most pixels that are open at a time: their sums travel to the device and back at each stop.
 const GROUP: usize = 1 << 16;
@@ -144,7 +146,8 @@ impl<R: Real + Plain> OpenCl<R> {
                 (samples.start + run.samples.end).into(),
             ];
             let time = self
-                .run("refine", frame, &more, [run.columns, run.rows])
+                .start("refine", frame, &more, [run.columns, run.rows])
+                .and_then(Running::wait)
                 .map_err(failed)?;
             pace.took(&run, time);
             kernel_ns += time;

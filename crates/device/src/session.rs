@@ -29,6 +29,32 @@ pub struct Session {
     cache: Cache,
 }
 
+/// A kernel that was told to run.
+#[must_use]
+pub(crate) struct Running<'a> {
+    session: &'a Session,
+    program: &'a Program,
+    begin: Instant,
+    event: Event,
+}
+
+impl Running<'_> {
+    /// Waits for its end. Returns the time that it took on the device in nanoseconds.
+    ///
+    /// # Errors
+    ///
+    /// The driver fails.
+    pub(crate) fn wait(self) -> Result<u64, DeviceError> {
+        guarded(|| {
+            calls::wait(&self.event)?;
+            self.program.keep(&self.session.cache);
+            // A driver without timings still has a clock beside it.
+            let elapsed = || self.begin.elapsed().as_nanos().try_into().unwrap_or(u64::MAX);
+            Ok(nanoseconds(&self.event).unwrap_or_else(elapsed))
+        })
+    }
+}
+
 impl Session {
     /// Opens a device of [`discover`].
     ///
@@ -133,6 +159,21 @@ impl Session {
         if size.contains(&0) {
             return Ok(0);
         }
+        self.start(program, name, args, size)?.wait()
+    }
+
+    /// The same without waiting. What is read before is from before, and what is read after is from after.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Self::run`], or `size` is nothing.
+    pub(crate) fn start<'a>(
+        &'a self,
+        program: &'a Program,
+        name: &str,
+        args: &[Arg<'_>],
+        size: [u32; 2],
+    ) -> Result<Running<'a>, DeviceError> {
         guarded(|| {
             let task = format!("prepare the kernel {name}");
             let fault = |error: core::Error| DeviceError::of_call(&task, &error);
@@ -157,11 +198,12 @@ impl Session {
                 round_up(size[0] as usize, local[0]),
                 round_up(size[1] as usize, local[1]),
             ];
-            let start = Instant::now();
-            let event = calls::launch(&self.queue, &kernel, global, local)?;
-            program.keep(&self.cache);
-            // A driver without timings still has a clock beside it.
-            Ok(nanoseconds(&event).unwrap_or_else(|| start.elapsed().as_nanos().try_into().unwrap_or(u64::MAX)))
+            Ok(Running {
+                session: self,
+                program,
+                begin: Instant::now(),
+                event: calls::launch(&self.queue, &kernel, global, local)?,
+            })
         })
     }
 

@@ -2,9 +2,9 @@
 
 use std::time::Instant;
 
-use scenec_picture::{Exact, Frame, NOTHING, Picture, Refiner, Request, Spread, Stats, TraceError, Tracer};
-use scenec_plan::packed_structs::{self, Outcome, Sampled};
-use scenec_plan::{Features, Plan, Real, in_doubles, in_singles};
+use scenec_picture::{Frame, Refiner, Request, TraceError, Tracer};
+use scenec_plan::packed_structs;
+use scenec_plan::{Features, Plan, Real};
 
 use crate::assemble::{Precision, item_side, options, relaxed_options, source};
 use crate::buffer::{Arg, Buffer};
@@ -14,9 +14,9 @@ use crate::info::{DeviceInfo, DeviceKind};
 use crate::known;
 use crate::pace::{LEAST, Pace, Run};
 use crate::program::Program;
-use crate::sampled::in_picture;
 use crate::scene::Scene;
-use crate::session::Session;
+use crate::session::{Running, Session};
+use crate::tiles::{Room, Tiles, Told};
 
 /// The most pixels of one run of the kernel: enough to fill any device.
 const MOST_PIXELS: usize = 1 << 18;
@@ -125,22 +125,27 @@ impl<R: Real + Plain> OpenCl<R> {
         })
     }
 
-    /// Runs a kernel over so many pixels, which is given the scene and then `more`; returns the device's nanoseconds.
-    pub(crate) fn run(
+    /// Has a kernel run over so many pixels, which is given the scene and then `more`.
+    pub(crate) fn start(
         &self,
         kernel: &str,
         frame: &Buffer<packed_structs::Frame<R>>,
         more: &[Arg<'_>],
         size: [u32; 2],
-    ) -> Result<u64, DeviceError> {
+    ) -> Result<Running<'_>, DeviceError> {
         let mut args = self.scene.args(frame);
         args.extend_from_slice(more);
         let items = size.map(|pixels| pixels.div_ceil(self.side));
-        self.session.run(&self.program, kernel, &args, items)
+        self.session.start(&self.program, kernel, &args, items)
     }
 
-    /// Runs some samples of a tile.
-    fn tile(&self, frame: &Buffer<packed_structs::Frame<R>>, room: &Room<R>, run: &Run) -> Result<u64, DeviceError> {
+    /// Has some samples of a tile run.
+    fn tile(
+        &self,
+        frame: &Buffer<packed_structs::Frame<R>>,
+        room: &Room<R>,
+        run: &Run,
+    ) -> Result<Running<'_>, DeviceError> {
         let more: [Arg<'_>; 8] = [
             (&room.outcomes).into(),
             (&room.sums).into(),
@@ -151,7 +156,7 @@ impl<R: Real + Plain> OpenCl<R> {
             run.samples.start.into(),
             run.samples.end.into(),
         ];
-        self.run("trace", frame, &more, [run.columns, run.rows])
+        self.start("trace", frame, &more, [run.columns, run.rows])
     }
 
     /// Whether the program sums up samples in blocks: one alone tells nothing that its colour does not.
@@ -180,13 +185,6 @@ impl<R: Real + Plain> OpenCl<R> {
     }
 }
 
-/// What a tile's pixels come to.
-struct Room<R> {
-    outcomes: Buffer<Outcome<R>>,
-    /// Of one pixel, if the program does not sum them up.
-    sums: Buffer<Sampled<R>>,
-}
-
 impl<R: Real + Plain> Tracer for OpenCl<R> {
     fn name(&self) -> String {
         let info = self.session.device();
@@ -199,95 +197,41 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
 
     fn trace(&mut self, request: &Request<'_>) -> Result<Frame, TraceError> {
         let window = request.window;
-        let mut picture = Picture::black(window.width, window.height)?;
-        let count = picture.pixels().len();
-        let mut ids = request.layers.ids.then(|| vec![NOTHING; count]);
-        let mut exact: Option<Exact> = request.layers.exact.then(|| vec![[0.0; 3]; count]);
-
-        let mut distances = (request.layers.distances && self.distances).then(|| vec![f64::INFINITY; count]);
-        let mut spread = (request.layers.spread && self.spread).then(|| vec![Spread::default(); count]);
         let (corner, size) = ([window.x, window.y], [window.width, window.height]);
         let limits = request.limits;
         self.frame.ask(corner, size, limits.cutoff, limits.ray_budget);
 
         let frame = self.session.upload(&[self.frame]).map_err(failed)?;
-        let room = self.room(count).map_err(failed)?;
-        let mut tile = vec![Outcome::<R>::default(); room.outcomes.len()];
-        let mut sums = vec![
-            Sampled::<R>::default();
-            if spread.is_some() && self.sums_up() {
-                tile.len()
-            } else {
-                0
-            }
-        ];
-        let mut stats = Stats::default();
+        let room = self
+            .room(window.width as usize * window.height as usize)
+            .map_err(failed)?;
+        let told = Told {
+            distances: self.distances,
+            spread: self.spread,
+            sums: self.sums_up(),
+            unit: self.unit,
+        };
+        let mut tiles = Tiles::new(request, told, room.outcomes.len())?;
         let mut kernel_ns = 0;
-        let mut pace = Pace::new(window.width, window.height, self.frame.samples, tile.len());
-        while let Some(run) = pace.next() {
+        let mut pace = Pace::new(window.width, window.height, self.frame.samples, room.outcomes.len());
+        let mut next = pace.next();
+        while let Some(run) = next {
             if request.watch.stopped() {
                 return Err(TraceError::Cancelled);
             }
-            let time = self.tile(&frame, &room, &run).map_err(failed)?;
+            let running = self.tile(&frame, &room, &run).map_err(failed)?;
+            // Beside the device, which is at the next tile.
+            request.watch.advance(tiles.enter());
+            let time = running.wait().map_err(failed)?;
             pace.took(&run, time);
             kernel_ns += time;
-            if run.samples.end < self.frame.samples {
-                continue;
+            next = pace.next();
+            if run.samples.end == self.frame.samples {
+                tiles.read(&self.session, &room, run).map_err(failed)?;
             }
-            let done = &mut tile[..run.pixels()];
-            self.session.read(&room.outcomes, 0, done).map_err(failed)?;
-            if !sums.is_empty() {
-                let sums = &mut sums[..run.pixels()];
-                self.session.read(&room.sums, 0, sums).map_err(failed)?;
-            }
-            for (row, outcomes) in (run.row..).zip(done.chunks(run.columns as usize)) {
-                let at = row as usize * window.width as usize + run.column as usize;
-                let of_row = (row - run.row) as usize * run.columns as usize;
-                for (i, outcome) in outcomes.iter().enumerate() {
-                    picture.pixels_mut()[at + i] = in_singles(outcome.colour);
-                    if let Some(ids) = &mut ids {
-                        ids[at + i] = outcome.solid;
-                    }
-                    if let Some(exact) = &mut exact {
-                        exact[at + i] = in_doubles(outcome.colour);
-                    }
-                    if let Some(distances) = &mut distances {
-                        distances[at + i] = outcome.distance.to_f64() * self.unit;
-                    }
-                    if let Some(spread) = &mut spread {
-                        let dropped = outcome.dropped.to_f64();
-                        spread[at + i] = match sums.get(of_row + i) {
-                            Some(sums) => in_picture(sums).spread_with(dropped),
-                            None => Spread::of_one(in_doubles(outcome.colour), dropped),
-                        };
-                    }
-                    stats = stats.merge(pixel_stats(outcome));
-                }
-            }
-            request.watch.advance(done.len() as u64);
         }
-        stats.kernel_ns = Some(kernel_ns);
-        Ok(Frame {
-            picture,
-            ids,
-            exact,
-            paths: None,
-            spread,
-            distances,
-            stats,
-        })
-    }
-}
-
-pub(crate) fn pixel_stats<R: Real>(outcome: &Outcome<R>) -> Stats {
-    Stats {
-        primary: outcome.primary.into(),
-        shadow: outcome.shadow.into(),
-        reflected: outcome.reflected.into(),
-        refracted: outcome.refracted.into(),
-        dropped: outcome.dropped.to_f64(),
-        over_budget: outcome.over.into(),
-        kernel_ns: None,
+        request.watch.advance(tiles.enter());
+        Ok(tiles.finish(kernel_ns))
     }
 }
 
