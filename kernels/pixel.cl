@@ -21,6 +21,26 @@ typedef struct {
 #endif
 } Work;
 
+/* To trace a tile. */
+Work new_work(const Scene *scene, __global Outcome *outcomes, __global Sampled *sums, uint tile_column, uint tile_row,
+              uint columns, uint rows, uint first, uint end) {
+    Work work;
+    work.scene = scene;
+    work.outcomes = outcomes;
+    work.sums = sums;
+    work.tile_column = tile_column;
+    work.tile_row = tile_row;
+    work.columns = columns;
+    work.rows = rows;
+    work.first = first;
+    work.end = end;
+    work.taken = 0;
+#if SPREAD
+    work.pixels = 0;
+#endif
+    return work;
+}
+
 /* A pixel that a lane has taken up. */
 typedef struct {
     /* Where what is told of it stands. */

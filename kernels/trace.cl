@@ -168,20 +168,7 @@ void trace_pixels(Work *work) {
 __kernel void trace(SCENE_PARAMETERS, __global Outcome *outcomes, __global Sampled *sums, uint tile_column,
                     uint tile_row, uint columns, uint rows, uint first, uint end) {
     Scene scene = scene_of(SCENE_ARGUMENTS);
-    Work work;
-    work.scene = &scene;
-    work.outcomes = outcomes;
-    work.sums = sums;
-    work.tile_column = tile_column;
-    work.tile_row = tile_row;
-    work.columns = columns;
-    work.rows = rows;
-    work.first = first;
-    work.end = end;
-    work.taken = 0;
-#if SPREAD
-    work.pixels = 0;
-#endif
+    Work work = new_work(&scene, outcomes, sums, tile_column, tile_row, columns, rows, first, end);
     trace_pixels(&work);
 }
 
@@ -193,17 +180,7 @@ __kernel void refine(SCENE_PARAMETERS, __global Outcome *outcomes, __global Samp
                      uint sides, uint count, uint width, uint tile_column, uint tile_row, uint columns, uint rows, uint first,
                      uint end) {
     Scene scene = scene_of(SCENE_ARGUMENTS);
-    Work work;
-    work.scene = &scene;
-    work.outcomes = outcomes;
-    work.sums = sums;
-    work.tile_column = tile_column;
-    work.tile_row = tile_row;
-    work.columns = columns;
-    work.rows = rows;
-    work.first = first;
-    work.end = end;
-    work.taken = 0;
+    Work work = new_work(&scene, outcomes, sums, tile_column, tile_row, columns, rows, first, end);
     work.pixels = pixels;
     work.count = count;
     work.width = width;
