@@ -2,35 +2,7 @@
 
 use std::fmt::Write;
 
-/// A small generator of numbers that are the same everywhere (Steele, Lea and Flood 2014, SplitMix64).
-#[derive(Clone, Debug)]
-pub struct Numbers(u64);
-
-impl Numbers {
-    /// The same numbers for the same seed.
-    #[must_use]
-    pub const fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ z >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ z >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ z >> 31
-    }
-
-    /// A whole number from 0 up to, not including, a bound.
-    pub fn below(&mut self, bound: u64) -> u64 {
-        self.next() % bound
-    }
-
-    /// A number between two.
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.next() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
+use scenec_measure::Numbers;
 
 /// The text of a scene of 1 to 16 leaves, the same for the same seed: every shape of tree, a third of the leaves
 /// half-spaces, ellipsoids among the spheres, some mirrors and glass, and now and then the eye inside.

@@ -74,13 +74,22 @@ pub fn probe(precision: Precision) -> String {
 /// NaN must mean what they say.
 #[must_use]
 pub fn options(info: &DeviceInfo, precision: Precision) -> String {
+    strict(info, precision, " -cl-denorms-are-zero")
+}
+
+/// The same without leave to take the numbers below the smallest normal one for zero.
+pub(crate) fn options_with_denormals(info: &DeviceInfo, precision: Precision) -> String {
+    strict(info, precision, "")
+}
+
+fn strict(info: &DeviceInfo, precision: Precision, denormals: &str) -> String {
     let exact = precision == Precision::F32 && info.exact_divide;
     let divide = if exact {
         " -cl-fp32-correctly-rounded-divide-sqrt"
     } else {
         ""
     };
-    format!("-cl-std=CL1.2 -cl-denorms-are-zero{divide}")
+    format!("-cl-std=CL1.2{denormals}{divide}")
 }
 
 /// The same with leave to round as the compiler likes, and to take every number for a finite one. What comes of that is

@@ -33,4 +33,4 @@ pub use known::remember_gain;
 pub use program::Program;
 pub use select::{gpu, is_opencl, select};
 pub use session::Session;
-pub use tracer::{refiner, relaxed_tracer, tracer};
+pub use tracer::{Manner, refiner, relaxed_tracer, tracer, tracer_in};

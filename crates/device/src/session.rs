@@ -23,6 +23,8 @@ const GROUP_OF_PROCESSOR: [usize; 2] = [4, 4];
 #[derive(Debug)]
 pub struct Session {
     info: DeviceInfo,
+    /// The sides of its work-groups.
+    sides: [usize; 2],
     device: DeviceId,
     queue: CommandQueue,
     context: Context,
@@ -68,14 +70,27 @@ impl Session {
                 .map_err(|error| DeviceError::of_call(&format!("open {}", info.name), &error))?;
             let queue = core::create_command_queue(&context, device, Some(CommandQueueProperties::PROFILING_ENABLE))
                 .map_err(|error| DeviceError::of_call(&format!("open a queue of {}", info.name), &error))?;
+            let sides = match info.kind {
+                DeviceKind::Cpu => GROUP_OF_PROCESSOR,
+                _ => GROUP,
+            };
             Ok(Self {
                 info: info.clone(),
+                sides,
                 device,
                 queue,
                 context,
                 cache: programs(),
             })
         })
+    }
+
+    /// The same with work-groups of so many items each way, or as many as the device can do.
+    pub(crate) fn in_groups(self, side: usize) -> Self {
+        Self {
+            sides: [side.max(1); 2],
+            ..self
+        }
     }
 
     /// The device this session is of.
@@ -189,11 +204,7 @@ impl Session {
             for (index, arg) in (0u32..).zip(args) {
                 arg.set(&kernel, index).map_err(fault)?;
             }
-            let sides = match self.info.kind {
-                DeviceKind::Cpu => GROUP_OF_PROCESSOR,
-                _ => GROUP,
-            };
-            let local = group(sides, self.group_limit(&kernel));
+            let local = group(self.sides, self.group_limit(&kernel));
             let global = [
                 round_up(size[0] as usize, local[0]),
                 round_up(size[1] as usize, local[1]),

@@ -6,7 +6,7 @@ use scenec_picture::{Frame, Refiner, Request, TraceError, Tracer};
 use scenec_plan::packed_structs;
 use scenec_plan::{Features, Plan, Real};
 
-use crate::assemble::{Precision, item_side, options, relaxed_options, source};
+use crate::assemble::{Precision, item_side, options, options_with_denormals, relaxed_options, source};
 use crate::buffer::{Arg, Buffer};
 use crate::calls::Plain;
 use crate::error::DeviceError;
@@ -49,10 +49,7 @@ pub fn refiner(
     Ok(match precision {
         Precision::F32 => Box::new(OpenCl::<f32>::new(info, plan, precision, features, Math::Strict)?),
         Precision::F64 if info.has_f64 => Box::new(OpenCl::<f64>::new(info, plan, precision, features, Math::Strict)?),
-        Precision::F64 => {
-            return Err(DeviceError::new(format!("{} has no doubles", info.name))
-                .with_help("leave out --precision f64, or use --device cpu"));
-        }
+        Precision::F64 => return Err(no_doubles(info)),
     })
 }
 
@@ -66,10 +63,61 @@ pub fn relaxed_tracer(info: &DeviceInfo, plan: &Plan, features: &Features) -> Re
     Ok(Box::new(tracer))
 }
 
+/// A way to build or run the kernels that a render does not take, and that must make no difference.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Manner {
+    /// Numbers below the smallest normal one are kept, where a render lets the device take them for zero.
+    Denormals,
+    /// In work-groups of so many items each way, or of as many as the device can do.
+    Groups(usize),
+}
+
+/// The same as [`tracer`] in another manner.
+///
+/// # Errors
+/// Those of [`tracer`].
+pub fn tracer_in(
+    manner: Manner,
+    info: &DeviceInfo,
+    plan: &Plan,
+    precision: Precision,
+    features: &Features,
+) -> Result<Box<dyn Tracer>, DeviceError> {
+    let of = (info, plan, features);
+    Ok(match precision {
+        Precision::F32 => Box::new(in_manner::<f32>(manner, of, precision)?),
+        Precision::F64 if info.has_f64 => Box::new(in_manner::<f64>(manner, of, precision)?),
+        Precision::F64 => return Err(no_doubles(info)),
+    })
+}
+
+fn in_manner<R: Real + Plain>(
+    manner: Manner,
+    (info, plan, features): (&DeviceInfo, &Plan, &Features),
+    precision: Precision,
+) -> Result<OpenCl<R>, DeviceError> {
+    Ok(match manner {
+        Manner::Denormals => OpenCl::new(info, plan, precision, features, Math::Denormals)?,
+        Manner::Groups(side) => {
+            let tracer = OpenCl::new(info, plan, precision, features, Math::Strict)?;
+            OpenCl {
+                session: tracer.session.in_groups(side),
+                ..tracer
+            }
+        }
+    })
+}
+
+fn no_doubles(info: &DeviceInfo) -> DeviceError {
+    DeviceError::new(format!("{} has no doubles", info.name))
+        .with_help("leave out --precision f64, or use --device cpu")
+}
+
 /// What the compiler may do with numbers.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Math {
     Strict,
+    Denormals,
     Relaxed,
 }
 
@@ -103,6 +151,7 @@ impl<R: Real + Plain> OpenCl<R> {
         let packed = plan.packed::<R>();
         let options = match math {
             Math::Strict => options(info, precision),
+            Math::Denormals => options_with_denormals(info, precision),
             Math::Relaxed => relaxed_options(),
         };
         let program = session.build(&source(precision, features), &options)?;
@@ -190,6 +239,7 @@ impl<R: Real + Plain> Tracer for OpenCl<R> {
         let info = self.session.device();
         let math = match self.math {
             Math::Strict => "",
+            Math::Denormals => " with denormals",
             Math::Relaxed => " fast-math",
         };
         format!("opencl {}{math} {} ({})", self.precision, info.name, info.platform)

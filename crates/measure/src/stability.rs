@@ -10,6 +10,7 @@ mod machines;
 mod picture_error;
 mod table;
 mod template;
+mod tree;
 
 pub use case::{Case, CaseError, Oracle, Run, Sum};
 pub use judge::{Outcome, Verdict, judge};

@@ -4,7 +4,8 @@ use std::fmt;
 
 use serde::Deserialize;
 
-use super::template::{Repeat, fill};
+use super::template::{Repeat, fill, words};
+use super::tree::Tree;
 
 /// One awkward scene, or a family of them, and what it is judged by.
 #[derive(Clone, PartialEq, Debug, Deserialize)]
@@ -28,6 +29,8 @@ pub struct Case {
     /// Statements that are written many times over, by the word that stands for them.
     #[serde(default)]
     repeat: Vec<Repeat>,
+    /// A solid that is drawn by lot, by the word that stands for it; each run then has many scenes.
+    tree: Option<Tree>,
     /// The members of the family; one without changes if there is none.
     #[serde(default)]
     run: Vec<Run>,
@@ -84,6 +87,9 @@ pub enum Oracle {
     /// The independent tracer, where the scene is chaotic. Error: the root mean square difference from it, divided by
     /// that of its own picture from a camera turned by 4 units in the last place of a direction.
     Jitter,
+    /// The independent tracer, by what shows and not by colours. Error: how many pixels show an object that it shows neither
+    /// there nor with its camera turned by 16 units in the last place of a direction.
+    Leaves,
 }
 
 /// A colour that is the same in all components, or not; a run may fill it in.
@@ -116,6 +122,20 @@ pub struct Run {
     oracle: Option<Oracle>,
     /// Why single precision is not held to anything here, if it is not.
     pub beyond_single: Option<String>,
+    /// On which device, or in which manner on the one that there is, it is run besides.
+    pub(super) device: Option<OnDevice>,
+}
+
+/// How an OpenCL device is used besides as a render uses it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum OnDevice {
+    /// With programs that keep the numbers below the smallest normal one.
+    Denormals,
+    /// In work-groups of so many items each way.
+    Groups(usize),
+    /// Every graphics processor that there is.
+    Graphics,
 }
 
 /// A member of a family, filled in.
@@ -127,6 +147,7 @@ pub(super) struct Filled {
     pub(super) oracle: Oracle,
     pub(super) single: f64,
     pub(super) double: f64,
+    pub(super) device: Option<OnDevice>,
 }
 
 /// A case that can't be read.
@@ -177,9 +198,23 @@ impl Case {
         &self.run
     }
 
-    /// A member, with every word filled in.
-    pub(super) fn filled(&self, run: &Run) -> Filled {
-        let whole = |scene: &str| format!("{STAGE}{}", fill(scene, &run.with, &self.repeat));
+    /// How many scenes each member has: 1, or as many as are drawn by lot for a quick look, or all of them.
+    pub(super) fn scenes(&self, all: bool) -> u32 {
+        self.tree.as_ref().map_or(1, |tree| tree.scenes(all))
+    }
+
+    /// One scene of a member, with every word filled in.
+    pub(super) fn filled(&self, run: &Run, scene: u32) -> Filled {
+        let tree = self.tree.as_ref();
+        let tree = tree.map(|tree| (&tree.word, tree.text(scene, |text| words(text, &run.with))));
+        let whole = |scene: &str| {
+            let filled = fill(scene, &run.with, &self.repeat);
+            let filled = match &tree {
+                Some((word, text)) => filled.replace(&format!("{{{word}}}"), text),
+                None => filled,
+            };
+            format!("{STAGE}{filled}")
+        };
         let word = |word: &String| fill(word, &run.with, &self.repeat);
         let oracle = match run.oracle.as_ref().unwrap_or(&self.oracle).clone() {
             Oracle::Same { scene, calm, mirrored } => Oracle::Same {
@@ -206,6 +241,7 @@ impl Case {
             oracle,
             single: run.single.unwrap_or(self.single),
             double: run.double.unwrap_or(self.double),
+            device: run.device,
         }
     }
 }

@@ -1,9 +1,11 @@
 //! One member of a case through every tracer, and what comes of it.
 
-use scenec_picture::TraceError;
+use std::f64::consts::FRAC_PI_4;
+
+use scenec_picture::{TraceError, Watch};
 use scenec_scene::{DVec3, Scene};
 
-use super::case::{Case, Filled, Oracle, Run, Sum};
+use super::case::{Case, Filled, OnDevice, Oracle, Run, Sum};
 use super::machines::{Machines, Shot};
 use super::picture_error as error;
 use super::{CaseError, Reader};
@@ -26,8 +28,10 @@ pub struct Verdict {
     pub double: Option<Outcome>,
     /// Why single precision is not held to anything here, if it is not.
     pub beyond_single: Option<String>,
-    /// Why the tracers take doubles here by themselves, if they do.
+    /// Why the tracers take doubles here by themselves, if they do in each of its scenes.
     pub wider: Option<String>,
+    /// Why it was not run on a device on which it is to be run besides, if it was not.
+    pub not_run: Option<&'static str>,
     /// What POV-Ray makes of it, if it was asked: the share of pixels off the edges where it shows another surface than the
     /// reference, or why there is no picture of its.
     pub povray: Option<Result<f64, String>>,
@@ -66,11 +70,20 @@ impl Verdict {
 /// # Errors
 /// If the case itself is wrong: its scene has errors that nothing expects, or can't be traced at all.
 pub fn judge(case: &Case, run: &Run, read: Reader<'_>, machines: &Machines<'_>) -> Result<Verdict, CaseError> {
-    let filled = case.filled(run);
-    let found = findings(&filled, read, machines).map_err(|message| CaseError {
-        name: format!("{} {}", case.name, run.name).trim().to_owned(),
-        message,
-    })?;
+    let filled = case.filled(run, 0);
+    let mut found: Option<Findings> = None;
+    let going = |_: &u32| !machines.watch.is_some_and(Watch::stopped);
+    for scene in (0..case.scenes(machines.all)).take_while(going) {
+        let one = findings(&case.filled(run, scene), read, machines).map_err(|message| CaseError {
+            name: format!("{} {}", case.name, run.name).trim().to_owned(),
+            message,
+        })?;
+        found = Some(match found {
+            Some(found) => found.and(one),
+            None => one,
+        });
+    }
+    let found = found.unwrap_or_default();
     let worst = |single: bool, threshold: f64| {
         let of = found.errors.iter();
         let of = of.filter(|one| one.single.is_none_or(|it| it == single));
@@ -89,6 +102,7 @@ pub fn judge(case: &Case, run: &Run, read: Reader<'_>, machines: &Machines<'_>) 
         double: worst(false, filled.double),
         beyond_single: run.beyond_single.clone(),
         wider: found.wider,
+        not_run: found.not_run,
         povray: found.povray,
     })
 }
@@ -98,7 +112,23 @@ pub fn judge(case: &Case, run: &Run, read: Reader<'_>, machines: &Machines<'_>) 
 struct Findings {
     errors: Vec<Off>,
     wider: Option<String>,
+    not_run: Option<&'static str>,
     povray: Option<Result<f64, String>>,
+}
+
+impl Findings {
+    /// What is found of this and another scene of the member.
+    fn and(mut self, other: Self) -> Self {
+        self.errors.extend(other.errors);
+        self.wider = self.wider.filter(|_| other.wider.is_some());
+        self.not_run = self.not_run.or(other.not_run);
+        self.povray = match (self.povray, other.povray) {
+            (Some(Ok(a)), Some(Ok(b))) => Some(Ok(a.max(b))),
+            (Some(Err(_)) | None, Some(seen)) => Some(seen),
+            (seen, _) => seen,
+        };
+        self
+    }
 }
 
 fn findings(filled: &Filled, read: Reader<'_>, machines: &Machines<'_>) -> Result<Findings, String> {
@@ -114,12 +144,17 @@ fn findings(filled: &Filled, read: Reader<'_>, machines: &Machines<'_>) -> Resul
             ..Findings::default()
         });
     }
-    let work = Work { read, machines };
+    let work = Work {
+        read,
+        machines,
+        besides: filled.device,
+    };
     let scene = work.scene(&filled.scene)?;
     let wider = Machines::beyond_single(&scene).map_err(said)?;
     let reference = machines.reference(&scene).map_err(said)?;
     Ok(Findings {
         wider: wider.map(|reason| reason.to_string()),
+        not_run: filled.device.and_then(|how| machines.lack(how)),
         povray: machines.povray.then(|| second_opinion(&scene, &reference)),
         errors: work.errors(&filled.oracle, &scene, reference)?,
     })
@@ -141,24 +176,27 @@ struct Off {
 struct Work<'a> {
     read: Reader<'a>,
     machines: &'a Machines<'a>,
+    /// How a device is used besides.
+    besides: Option<OnDevice>,
 }
 
 impl Work<'_> {
     fn errors(&self, oracle: &Oracle, scene: &Scene, reference: Shot) -> Result<Vec<Off>, String> {
-        let mut shots = self.machines.others(scene).map_err(said)?;
+        let mut shots = self.others(scene)?;
         match oracle {
             Oracle::Reference => Ok(against(&reference, &shots)),
             Oracle::Jitter => self.against_jitter(scene, &reference, &shots),
+            Oracle::Leaves => self.against_leaves(scene, &reference, &shots),
             Oracle::Same { scene, calm, mirrored } => {
                 let other = self.scene(scene)?;
-                let mut others = self.machines.others(&other).map_err(said)?;
+                let mut others = self.others(&other)?;
                 others.push(self.machines.reference(&other).map_err(said)?);
                 let mask = calm.then(|| reference.frame.calm().unwrap_or_default());
                 shots.push(reference);
                 Ok(same(&shots, &others, mask.as_deref(), *mirrored))
             }
             Oracle::Finite => {
-                let again = self.machines.others(scene).map_err(said)?;
+                let again = self.others(scene)?;
                 Ok(each(&shots.iter().zip(&again).collect::<Vec<_>>(), |(a, b)| {
                     (a, error::unsteady(a, b))
                 }))
@@ -189,23 +227,27 @@ impl Work<'_> {
         }
     }
 
+    /// The pictures of all tracers but the independent one.
+    fn others(&self, scene: &Scene) -> Result<Vec<Shot>, String> {
+        let mut shots = self.machines.others(scene).map_err(said)?;
+        if let Some(how) = self.besides {
+            shots.extend(self.machines.besides(scene, how).map_err(said)?);
+        }
+        Ok(shots)
+    }
+
     fn scene(&self, text: &str) -> Result<Scene, String> {
         (self.read)(text).map_err(|codes| format!("the scene has errors: {}", codes.join(", ")))
     }
 
     /// The ratio of a tracer's distance from the reference to the reference's own distance from itself with its camera
-    /// turned a little. In double precision the turn is 2^-44, which a look-at point can still say.
+    /// turned a little.
     fn against_jitter(&self, scene: &Scene, reference: &Shot, shots: &[Shot]) -> Result<Vec<Off>, String> {
-        let turned = |angle: f64| {
-            let mut scene = scene.clone();
-            let look = scene.settings.lookat - scene.settings.eyepos;
-            let across = look.cross(scene.settings.up).normalize_or_zero();
-            let aside = (across + across.cross(look).normalize_or_zero()) / std::f64::consts::SQRT_2;
-            scene.settings.lookat += aside * look.length() * angle;
-            self.machines.reference(&scene).map_err(said)
+        let by = |angle: f64| {
+            let turned = self.turned(scene, angle, FRAC_PI_4)?;
+            Ok::<_, String>(error::root_mean_square(&turned.exact, &reference.exact))
         };
-        let by = |angle: f64| Ok::<_, String>(error::root_mean_square(&turned(angle)?.exact, &reference.exact));
-        let (single, double) = (by(4.0 * UNIT_SINGLE)?, by(f64::exp2(-44.0))?);
+        let (single, double) = (by(4.0 * UNIT_SINGLE)?, by(LEAST_TURN)?);
         Ok(each(shots, |shot| {
             let of_turn = if shot.single { single } else { double };
             (
@@ -214,12 +256,42 @@ impl Work<'_> {
             )
         }))
     }
+
+    /// How many pixels of a tracer show what the reference shows neither there nor a little aside, in eight directions.
+    fn against_leaves(&self, scene: &Scene, reference: &Shot, shots: &[Shot]) -> Result<Vec<Off>, String> {
+        let mut found = Vec::new();
+        for shot in shots {
+            let mut strays = error::strays(shot, reference);
+            let angle = if shot.single { 16.0 * UNIT_SINGLE } else { LEAST_TURN };
+            for way in 0..8 {
+                if strays.is_empty() {
+                    break;
+                }
+                let still = error::strays(shot, &self.turned(scene, angle, FRAC_PI_4 * f64::from(way))?);
+                strays.retain(|pixel| still.contains(pixel));
+            }
+            found.push((shot, strays.len() as f64));
+        }
+        Ok(each(&found, |(shot, count)| (shot, *count)))
+    }
+
+    /// The reference with its camera turned by an angle, to the right and from there as far up as `way` says; all in radians.
+    fn turned(&self, scene: &Scene, angle: f64, way: f64) -> Result<Shot, String> {
+        let mut scene = scene.clone();
+        let look = scene.settings.lookat - scene.settings.eyepos;
+        let across = look.cross(scene.settings.up).normalize_or_zero();
+        let aside = across * way.cos() + across.cross(look).normalize_or_zero() * way.sin();
+        scene.settings.lookat += aside * look.length() * angle;
+        self.machines.reference(&scene).map_err(said)
+    }
 }
 
 /// Half the distance from 1 to the next number of single precision.
 const UNIT_SINGLE: f64 = 1.0 / (1_u32 << 24) as f64;
 /// The same of double precision.
 const UNIT_DOUBLE: f64 = f64::EPSILON / 2.0;
+/// The least turn that a look-at point can say, in radians, with a few digits to spare: 2^-44.
+const LEAST_TURN: f64 = 256.0 * f64::EPSILON;
 
 fn said(error: TraceError) -> String {
     error.to_string()

@@ -1,11 +1,13 @@
 //! Every tracer that there is, in every precision that it has.
 
 use scenec_cpu::Cpu;
-use scenec_device::{DeviceInfo, Precision, tracer};
+use scenec_device::{DeviceError, DeviceInfo, DeviceKind, Manner, Precision, discover, tracer, tracer_in};
 use scenec_picture::{Exact, Frame, Layers, Limits, Request, TraceError, Tracer, Watch, Window};
 use scenec_plan::{BeyondSingle, Features, Plan, plan};
 use scenec_reference::Reference;
 use scenec_scene::Scene;
+
+use super::case::OnDevice;
 
 /// What the suite is run on: the reference and the built-in tracer always, an OpenCL device where there is one.
 #[derive(Clone, Copy, Debug, Default)]
@@ -14,6 +16,10 @@ pub struct Machines<'a> {
     pub device: Option<&'a DeviceInfo>,
     /// Whether POV-Ray is asked for its opinion.
     pub povray: bool,
+    /// Whether of scenes that are drawn by lot all are traced, and not some.
+    pub all: bool,
+    /// Who may ask to stop: of a member with many scenes no further one is begun then, and its verdict is worth nothing.
+    pub watch: Option<&'a Watch>,
 }
 
 /// A picture by one tracer.
@@ -45,18 +51,67 @@ impl Machines<'_> {
         if narrow {
             shots.push(shoot(&mut Cpu::<f32>::new(&plan, 0)?, scene, true)?);
         }
-        for precision in [Precision::F64, Precision::F32] {
-            let single = precision == Precision::F32;
-            let possible = |info: &&DeviceInfo| if single { narrow } else { info.has_f64 };
-            let Some(info) = self.device.filter(possible) else {
-                continue;
-            };
-            let mut tracer = tracer(info, &plan, precision, &Features::generic(&plan))
-                .map_err(|error| TraceError::Failed(error.to_string()))?;
-            shots.push(shoot(tracer.as_mut(), scene, single)?);
+        let features = Features::generic(&plan);
+        if let Some(info) = self.device {
+            let open = |precision| tracer(info, &plan, precision, &features);
+            shots.extend(shots_on(info, scene, narrow, open)?);
         }
         Ok(shots)
     }
+
+    /// Why there are no pictures of a device otherwise than a render takes it, if there are none.
+    pub(super) fn lack(&self, how: OnDevice) -> Option<&'static str> {
+        match how {
+            _ if self.device.is_none() => Some("no OpenCL device"),
+            OnDevice::Graphics if graphics().next().is_none() => Some("no graphics processor"),
+            _ => None,
+        }
+    }
+
+    /// The pictures of a device otherwise than a render takes it; none where it is lacking.
+    pub(super) fn besides(&self, scene: &Scene, how: OnDevice) -> Result<Vec<Shot>, TraceError> {
+        let Some(info) = self.device else {
+            return Ok(Vec::new());
+        };
+        let plan = planned(scene)?;
+        let (narrow, features) = (plan.beyond_single().is_none(), Features::generic(&plan));
+        let in_manner = |manner| {
+            let open = |precision| tracer_in(manner, info, &plan, precision, &features);
+            shots_on(info, scene, narrow, open)
+        };
+        match how {
+            OnDevice::Denormals => in_manner(Manner::Denormals),
+            OnDevice::Groups(side) => in_manner(Manner::Groups(side)),
+            OnDevice::Graphics => {
+                let shots = graphics().map(|info| {
+                    let open = |precision| tracer(info, &plan, precision, &features);
+                    shots_on(info, scene, narrow, open)
+                });
+                Ok(shots.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
+            }
+        }
+    }
+}
+
+fn graphics() -> impl Iterator<Item = &'static DeviceInfo> {
+    let devices = discover().devices.iter();
+    devices.filter(|info| info.kind == DeviceKind::Gpu)
+}
+
+/// The pictures of a device in the precisions that it has and that a render would take.
+fn shots_on(
+    info: &DeviceInfo,
+    scene: &Scene,
+    narrow: bool,
+    open: impl Fn(Precision) -> Result<Box<dyn Tracer>, DeviceError>,
+) -> Result<Vec<Shot>, TraceError> {
+    let precisions = [(Precision::F64, info.has_f64), (Precision::F32, narrow)];
+    let possible = precisions.into_iter().filter(|(_, possible)| *possible);
+    let shots = possible.map(|(precision, _)| {
+        let mut tracer = open(precision).map_err(|error| TraceError::Failed(error.to_string()))?;
+        shoot(tracer.as_mut(), scene, precision == Precision::F32)
+    });
+    shots.collect()
 }
 
 fn planned(scene: &Scene) -> Result<Plan, TraceError> {

@@ -20,6 +20,13 @@ pub(super) fn largest(shot: &Exact, other: &Exact, counts: impl Fn(usize) -> boo
     pairs.map(|(_, (a, b))| apart(*a, *b)).fold(0.0, f64::max)
 }
 
+/// The pixels that show another object.
+pub(super) fn strays(shot: &Shot, other: &Shot) -> Vec<usize> {
+    let pairs = shot.frame.ids.iter().flatten().zip(other.frame.ids.iter().flatten());
+    let strays = pairs.enumerate().filter(|(_, (a, b))| a != b);
+    strays.map(|(i, _)| i).collect()
+}
+
 /// The root mean square difference.
 pub(super) fn root_mean_square(a: &Exact, b: &Exact) -> f64 {
     let square = |(a, b): (&[f64; 3], &[f64; 3])| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>();

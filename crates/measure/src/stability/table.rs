@@ -55,11 +55,11 @@ fn case_row(members: &[Verdict]) -> String {
         .filter(|member| member.beyond_single.is_none() && member.wider.is_none());
     let double = members.iter().filter_map(|member| member.double.as_ref());
     let wider = members.iter().filter(|member| member.wider.is_some()).count();
-    let words = if members.iter().all(Verdict::holds) {
-        "holds"
-    } else {
-        "**FAILS**"
-    };
+    let mut words = verdict_words(members.iter().all(Verdict::holds)).to_owned();
+    let idle: Vec<_> = members.iter().filter_map(|member| member.not_run).collect();
+    for alike in idle.chunk_by(|a, b| a == b) {
+        let _ = write!(words, "; {} not run: {}", alike.len(), alike[0]);
+    }
     format!(
         "| {}: {} | {} | {wider} | {words} | {} | {} |",
         first.case,
@@ -68,6 +68,10 @@ fn case_row(members: &[Verdict]) -> String {
         part(single.filter_map(|member| member.single.as_ref())),
         part(double)
     )
+}
+
+const fn verdict_words(holds: bool) -> &'static str {
+    if holds { "holds" } else { "**FAILS**" }
 }
 
 /// The largest part of what is allowed.
@@ -123,7 +127,10 @@ fn row(verdict: &Verdict) -> String {
         (None, Some(why)) => format!("f64 taken: {why}"),
         (None, None) => allowed_single,
     };
-    let words = if verdict.holds() { "holds" } else { "**FAILS**" };
+    let mut words = verdict_words(verdict.holds()).to_owned();
+    if let Some(reason) = verdict.not_run {
+        let _ = write!(words, "; not run: {reason}");
+    }
     format!(
         "| {}: {} | {} | {condition} | {single} | {allowed_single} | {double} | {allowed_double} | {words} |",
         verdict.case, verdict.title, verdict.run

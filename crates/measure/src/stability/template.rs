@@ -23,11 +23,7 @@ pub(super) struct Repeat {
 
 /// Fills in the words, then the copies.
 pub(super) fn fill(text: &str, with: &BTreeMap<String, String>, repeats: &[Repeat]) -> String {
-    let words = |text: &str| {
-        with.iter().fold(text.to_owned(), |text, (word, value)| {
-            text.replace(&format!("{{{word}}}"), value)
-        })
-    };
+    let words = |text: &str| words(text, with);
     let mut filled = words(text);
     for repeat in repeats {
         let gap = format!("{{{}}}", repeat.word);
@@ -55,6 +51,13 @@ pub(super) fn fill(text: &str, with: &BTreeMap<String, String>, repeats: &[Repea
         filled = filled.replace(&gap, &copies);
     }
     filled
+}
+
+/// Fills in the words alone.
+pub(super) fn words(text: &str, with: &BTreeMap<String, String>) -> String {
+    with.iter().fold(text.to_owned(), |text, (word, value)| {
+        text.replace(&format!("{{{word}}}"), value)
+    })
 }
 
 #[cfg(test)]

@@ -50,6 +50,8 @@ pub(crate) struct BenchOptions {
     #[arg(long, requires = "stability")]
     povray: bool,
     /// Print a row for each case and not for each of its members
+    ///
+    /// Of ten thousand random trees some two hundred are traced then.
     #[arg(long, requires = "stability")]
     brief: bool,
     /// Print instead what a render to this tolerance costs beside the same samples for every pixel

@@ -15,8 +15,8 @@ use crate::exit::Exit;
 use crate::failure::Failure;
 use crate::{interrupt, progress};
 
-/// Runs every case and prints the table, a row for each case if it is to be brief, with what POV-Ray makes of them if it is
-/// asked.
+/// Runs every case and prints the table, with what POV-Ray makes of them if it is asked. If it is to be brief, there is a row
+/// for each case, and of scenes that are drawn by lot some are traced.
 pub(super) fn run(device: Option<&DeviceInfo>, povray: bool, brief: bool) -> Result<Exit, Failure> {
     if povray && !pov::is_there() {
         return Err(Failure::unusable(
@@ -28,7 +28,12 @@ pub(super) fn run(device: Option<&DeviceInfo>, povray: bool, brief: bool) -> Res
         .iter()
         .flat_map(|case| case.runs().iter().map(move |run| (case, run)))
         .collect();
-    let machines = Machines { device, povray };
+    let machines = Machines {
+        device,
+        povray,
+        all: !brief,
+        watch: Some(interrupt::watch()),
+    };
     let counter = Watch::new();
     let judged = progress::counted(&counter, members.len() as u64, "cases", || {
         judge_all(&members, &machines, &counter)
@@ -60,10 +65,11 @@ fn judge_all(members: &[(&Case, &Run)], machines: &Machines<'_>, counter: &Watch
             let Some((case, run)) = members.get(number) else {
                 return Ok(judged);
             };
+            let verdict = stability::judge(case, run, &scene_of, machines).map_err(broken);
             let verdict = if interrupt::watch().stopped() {
                 Err(Failure::Interrupted)
             } else {
-                stability::judge(case, run, &scene_of, machines).map_err(broken)
+                verdict
             };
             // Whoever fails ends it for all.
             judged.push((
