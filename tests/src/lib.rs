@@ -3,6 +3,7 @@
 mod agree;
 mod closed;
 mod flat;
+mod kinds;
 mod random;
 mod shots;
 
@@ -14,6 +15,7 @@ use scenec_text::{Fix, SourceFile};
 pub use agree::{Disagreement, Mask, compare};
 pub use closed::{check_classes, check_colours, closed_stage, meets};
 pub use flat::{BLUE, RED, check_all, check_empty, check_middle, flat_stage, middle, near};
+pub use kinds::Programs;
 pub use random::{aligned_scene, random_scene};
 pub use scenec_measure::Numbers;
 pub use shots::{Lens, Shot, device, frame, shots, shots_of};

@@ -8,13 +8,15 @@
     reason = "a test may, in its helpers too"
 )]
 
+use std::sync::LazyLock;
+
 use scenec_cpu::Cpu;
 use scenec_device::{DeviceInfo, Precision, suited, tracer};
 use scenec_picture::{Frame, Limits, Tracer, Window};
 use scenec_plan::{Features, Plan, plan};
 use scenec_reference::Reference;
 use scenec_scene::Scene;
-use scenec_tests::{Mask, aligned_scene, compare, device, frame, gallery, random_scene, scene};
+use scenec_tests::{Mask, Programs, aligned_scene, compare, device, frame, gallery, random_scene, scene};
 
 /// How far colours may be apart on calm pixels.
 const F64: f64 = 1e-9;
@@ -24,6 +26,9 @@ fn whole(tracer: &mut dyn Tracer, scene: &Scene, paths: bool) -> Frame {
     let window = Window::whole(scene.settings.width, scene.settings.height);
     frame(tracer, window, Limits::NO_CUTOFF, paths)
 }
+
+/// Room for the waiting rays of every scene here, so that they have one general program.
+const MOST_WAITING: u32 = 16;
 
 struct Judge {
     name: String,
@@ -70,26 +75,24 @@ impl Judge {
         self.plan.beyond_single().is_none()
     }
 
-    fn on_device(&self, info: &DeviceInfo) {
-        let general = Features::generic(&self.plan);
-        let special = suited(info, Features::of(&self.plan));
-        let run = |precision, features, tolerance| {
-            self.check(&mut *tracer(info, &self.plan, precision, features).unwrap(), tolerance)
+    /// By the general program, and by the special ones for these features.
+    fn on_device(&self, info: &DeviceInfo, precision: Precision, special: &[Features]) {
+        let (possible, tolerance) = match precision {
+            Precision::F32 => (self.narrow(), F32),
+            Precision::F64 => (info.has_f64, F64),
         };
-        let pairs = [(Precision::F32, F32), (Precision::F64, F64)];
-        let possible = |precision| match precision {
-            Precision::F32 => self.narrow(),
-            Precision::F64 => info.has_f64,
-        };
-        for (precision, tolerance) in pairs.into_iter().filter(|(precision, _)| possible(*precision)) {
-            let one = run(precision, &special, tolerance);
-            let other = run(precision, &general, tolerance);
+        if !possible {
+            return;
+        }
+        let run = |features| self.check(&mut *tracer(info, &self.plan, precision, &features).unwrap(), tolerance);
+        let general = run(Features {
+            waiting: MOST_WAITING,
+            ..Features::generic(&self.plan)
+        });
+        for features in special {
             // What a scene does not need may be left out, and nothing may show it.
-            assert_eq!(
-                one.picture, other.picture,
-                "{} {precision}: specialised and general",
-                self.name
-            );
+            let same = run(suited(info, *features)).picture == general.picture;
+            assert!(same, "{} {precision}: general, and special for {features:?}", self.name);
         }
     }
 }
@@ -124,7 +127,11 @@ fn the_gallery_on_the_processor() {
 #[test]
 fn the_gallery_on_a_device() {
     let Some(info) = device() else { return };
-    small_gallery().iter().for_each(|judge| judge.on_device(info));
+    for judge in small_gallery() {
+        for precision in [Precision::F32, Precision::F64] {
+            judge.on_device(info, precision, &[Features::of(&judge.plan)]);
+        }
+    }
 }
 
 fn random(seed: u64) -> Judge {
@@ -136,37 +143,57 @@ fn aligned(seed: u64) -> Judge {
     Judge::new(&format!("aligned seed {seed}"), scene("aligned", &aligned_scene(seed)))
 }
 
-fn trees_on_the_processor(judge: fn(u64) -> Judge) {
-    let mut compared = 0.0;
-    for judge in SEEDS.map(judge) {
-        judge.on_processor();
-        compared += judge.mask.share() / SEEDS.end as f64;
+/// Trees of both sorts: the reference draws each once for all tests.
+static TREES: LazyLock<[Vec<Judge>; 2]> = LazyLock::new(|| [SEEDS.map(random).collect(), SEEDS.map(aligned).collect()]);
+
+#[test]
+fn trees_on_the_processor() {
+    for judges in &*TREES {
+        judges.iter().for_each(Judge::on_processor);
+        let compared = judges.iter().map(|judge| judge.mask.share()).sum::<f64>() / judges.len() as f64;
+        println!("{:.0} % of the pixels are away from every silhouette", compared * 100.0);
+        assert!(compared > 0.4, "only {compared:.2} of all pixels are compared");
     }
-    println!("{:.0} % of the pixels are away from every silhouette", compared * 100.0);
-    assert!(compared > 0.4, "only {compared:.2} of all pixels are compared");
 }
 
-fn trees_on_a_device(judge: fn(u64) -> Judge) {
+/// All by the general program, and each by special ones of which, with few exceptions, one or the other leaves out whatever it
+/// does not need. The scenes are of some 120 kinds and a driver takes seconds to compile for one, so few have a program of their
+/// own; that many things left out at once are no different is shown by those and by the gallery, and what any two features do
+/// to each other is shown elsewhere.
+fn trees_on_a_device(precision: Precision) {
     let Some(info) = device() else { return };
-    SEEDS.map(judge).for_each(|judge| judge.on_device(info));
+    let judges = || TREES.iter().flatten();
+    let kinds: Vec<Features> = judges().map(|judge| Features::of(&judge.plan)).collect();
+    let programs = Programs::of(&kinds);
+    let mut own = 0;
+    for (judge, kind) in judges().zip(&kinds) {
+        let mut special = programs.drawing(kind);
+        own += usize::from(special.contains(kind));
+        if special.is_empty() {
+            // Still in the way that suits the device.
+            special.push(Features::generic(&judge.plan));
+        }
+        judge.on_device(info, precision, &special);
+    }
+    println!(
+        "{} programs, {own} of {} scenes by their own",
+        programs.kinds().len(),
+        kinds.len()
+    );
+    assert!(
+        4 * own > kinds.len(),
+        "only {own} scenes are drawn by their own program"
+    );
+}
+
+// A test for each precision, for these have no program in common: tests that run beside each other compile none twice.
+
+#[test]
+fn trees_on_a_device_in_single_precision() {
+    trees_on_a_device(Precision::F32);
 }
 
 #[test]
-fn random_trees_on_the_processor() {
-    trees_on_the_processor(random);
-}
-
-#[test]
-fn random_trees_on_a_device() {
-    trees_on_a_device(random);
-}
-
-#[test]
-fn aligned_trees_on_the_processor() {
-    trees_on_the_processor(aligned);
-}
-
-#[test]
-fn aligned_trees_on_a_device() {
-    trees_on_a_device(aligned);
+fn trees_on_a_device_in_double_precision() {
+    trees_on_a_device(Precision::F64);
 }
