@@ -21,7 +21,7 @@ use crate::{interrupt, report, scenes};
 
 /// Say what a render would keep of a scene, leave out, need and take, and what would compute it
 ///
-/// The arguments are those of `scenec render`. A coarse picture is traced to find out how long the whole one would take.
+/// The arguments are those of `scenec render`. Some pixels are traced to find out how long the whole picture would take.
 /// Findings about the file go to standard error.
 #[derive(Args, Debug)]
 #[command(after_help = AFTER_HELP)]
