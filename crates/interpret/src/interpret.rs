@@ -62,6 +62,11 @@ impl<'a> Interpreter<'a> {
         }
     }
 
+    /// Takes the next lines.
+    pub fn lines(&mut self, lines: &[Line]) {
+        lines.iter().for_each(|line| self.line(line));
+    }
+
     /// What all lines together mean. The findings are ordered by place; what a broken line or a bad byte caused has been
     /// reported and is passed over.
     #[must_use]
@@ -89,7 +94,9 @@ pub fn interpret<L: Borrow<Line>>(
 /// Parses and interprets a file. The findings of both stages come in one list, ordered by place.
 #[must_use]
 pub fn analyse(source: &SourceFile) -> (Interpretation, Vec<Diagnostic>) {
-    let ((interpretation, more), mut diagnostics) = read_ahead(source, |lines| interpret(source, lines));
+    let mut interpreter = Interpreter::new(source);
+    let mut diagnostics = read_ahead(source, |lines| interpreter.lines(&lines));
+    let (interpretation, more) = interpreter.finish();
     diagnostics.extend(more);
     diagnostics.sort_by_key(|finding| finding.span().start);
     (interpretation, diagnostics)

@@ -33,8 +33,9 @@ pub struct Checked {
 /// after the other and not kept: they would take more memory than everything else.
 #[must_use]
 pub fn check(source: &SourceFile) -> Checked {
-    let (read, findings) = read_ahead(source, |lines| interpret(source, lines));
-    judge(source, findings, read, apply)
+    let mut interpreter = Interpreter::new(source);
+    let findings = read_ahead(source, |lines| interpreter.lines(&lines));
+    judge(source, findings, interpreter.finish(), apply)
 }
 
 /// The same without the rules about geometry, which take the longest, and on this thread alone.
@@ -63,18 +64,15 @@ impl Reading {
     /// Reads and interprets a file and applies the rules that look at one statement or transform after the other.
     #[must_use]
     pub fn of(source: &SourceFile) -> Self {
-        let ((lines, read), findings) = read_ahead(source, |lines| {
-            let mut interpreter = Interpreter::new(source);
-            // Room for all, unless most lines are blank; a list that grows is copied again and again.
-            let room = (source.line_count() as usize).min(source.text().len() / BYTES_PER_LINE);
-            let mut kept = Vec::with_capacity(room);
-            for line in lines {
-                interpreter.line(&line);
-                kept.push(line);
-            }
-            (kept, interpreter.finish())
+        let mut interpreter = Interpreter::new(source);
+        // Room for all, unless most lines are blank; a list that grows is copied again and again.
+        let room = (source.line_count() as usize).min(source.text().len() / BYTES_PER_LINE);
+        let mut kept = Vec::with_capacity(room);
+        let findings = read_ahead(source, |lines| {
+            interpreter.lines(&lines);
+            kept.extend(lines);
         });
-        Self::new(source, lines, findings, read)
+        Self::new(source, kept, findings, interpreter.finish())
     }
 
     /// The same for what became of a file by an edit: of most lines it is known what they say.

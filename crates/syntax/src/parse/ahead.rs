@@ -1,6 +1,6 @@
 //! Reading a large file on a thread of its own.
 
-use std::sync::mpsc::{Receiver, sync_channel};
+use std::sync::mpsc::sync_channel;
 use std::thread;
 
 use scenec_text::{Diagnostic, SourceFile};
@@ -15,36 +15,35 @@ const LARGE: usize = 1 << 22;
 const BATCH: usize = 4096;
 const WAITING: usize = 4;
 
-/// Hands the lines of a file to `work`, as [`Lines`] reads them; those of a large file are read ahead meanwhile, a bounded
-/// number of them. Gives what `work` makes of them, and the findings; if it leaves lines unread, those are not read.
-pub fn read_ahead<R>(
-    source: &SourceFile,
-    work: impl FnOnce(&mut dyn Iterator<Item = Line>) -> R,
-) -> (R, Vec<Diagnostic>) {
+/// Hands the lines of a file to `take`, as [`Lines`] reads them, some thousands at once; those of a large file are read ahead
+/// meanwhile, a bounded number of them. Gives what was found on them.
+pub fn read_ahead(source: &SourceFile, mut take: impl FnMut(Vec<Line>)) -> Vec<Diagnostic> {
+    let mut lines = Lines::new(source);
     if source.text().len() < LARGE {
-        let mut lines = Lines::new(source);
-        let made = work(&mut lines);
-        return (made, lines.findings());
+        while let Some(batch) = batch(&mut lines) {
+            take(batch);
+        }
+        return lines.findings();
     }
     thread::scope(|scope| {
-        let (give, take) = sync_channel(WAITING);
+        let (give, given) = sync_channel(WAITING);
         let reader = scope.spawn(move || {
-            let mut lines = Lines::new(source);
-            loop {
-                let batch: Vec<Line> = lines.by_ref().take(BATCH).collect();
-                if batch.is_empty() || give.send(batch).is_err() {
-                    return lines.findings();
+            while let Some(batch) = batch(&mut lines) {
+                if give.send(batch).is_err() {
+                    break;
                 }
             }
+            lines.findings()
         });
-        let made = work(&mut handed(take));
-        let findings = reader.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-        (made, findings)
+        given.into_iter().for_each(take);
+        reader.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     })
 }
 
-fn handed(batches: Receiver<Vec<Line>>) -> impl Iterator<Item = Line> {
-    batches.into_iter().flatten()
+/// The next lines, if there are any.
+fn batch(lines: &mut Lines<'_>) -> Option<Vec<Line>> {
+    let batch: Vec<Line> = lines.take(BATCH).collect();
+    Some(batch).filter(|batch| !batch.is_empty())
 }
 
 #[cfg(test)]
@@ -56,11 +55,9 @@ mod tests {
 
     fn check(text: &str) {
         let source = SourceFile::new("t", text).unwrap();
-        let (lines, findings) = read_ahead(&source, |lines| lines.collect::<Vec<_>>());
+        let mut lines = Vec::new();
+        let findings = read_ahead(&source, |batch| lines.extend(batch));
         assert!((lines, findings) == parse(&source));
-        // Whoever has enough is not kept waiting.
-        let (first, _) = read_ahead(&source, |lines| lines.next());
-        assert_eq!(first, parse(&source).0.into_iter().next());
     }
 
     #[test]
