@@ -10,7 +10,7 @@ use crate::names::{Gap, NameId, Names, Unknown};
 use crate::{Role, SymbolTable};
 
 /// For so many bytes of a text there is room for one object from the start.
-const BYTES_PER_OBJECT: usize = 48;
+const BYTES_PER_OBJECT: usize = 80;
 
 /// What became of submissions so far.
 #[derive(Default)]
