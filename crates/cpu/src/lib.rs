@@ -92,7 +92,9 @@ impl<R: Number> Tracer for Cpu<R> {
         let count = picture.pixels().len();
         let mut ids = request.layers.ids.then(|| vec![NOTHING; count]);
         let mut exact = request.layers.exact.then(|| vec![[0.0; 3]; count]);
-        let mut spread = request.layers.spread.then(|| vec![Spread::default(); count]);
+        // On all threads, for it is four times as large as the picture, and memory takes its time when it is first touched.
+        let blank = || (0..count).into_par_iter().map(|_| Spread::default()).collect();
+        let mut spread: Option<Vec<_>> = request.layers.spread.then(|| self.threads.install(blank));
         let mut distances = request.layers.distances.then(|| vec![f64::INFINITY; count]);
 
         let (corner, size) = ([window.x, window.y], [window.width, window.height]);
