@@ -1,8 +1,9 @@
 //! The hierarchy as processors read it: eight children to a node and eight balls to a leaf, each tested together.
 //!
-//! It is made from the plan's hierarchy of pairs, which GPUs read, by taking the largest of a node's grandchildren in.
+//! It is made from the plan's hierarchy of pairs, which GPUs read, by taking those of a node's descendants in that make it cheapest.
 
 mod build;
+mod forest;
 
 use crate::Real;
 use crate::packed::packed_structs::{Block, Shape, WideNode};

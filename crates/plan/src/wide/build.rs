@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
+use super::forest::{Choice, choices, family};
 use super::{BALL, Child, Kind, LANES, Wide};
 use crate::packed::packed_structs::{Block, Island, Leaf, Node, WideNode};
 use crate::{Packed, Real};
@@ -14,8 +15,8 @@ impl<R: Real> Wide<R> {
     #[must_use]
     pub fn new(packed: &Packed<R>) -> Self {
         let balls = balls(packed);
-        let weights = weights(packed, &balls);
-        let mut builder = Builder::new(packed, &balls, &weights);
+        let choices = choices(&packed.nodes, |island| balls[island] != NONE);
+        let mut builder = Builder::new(packed, &balls, &choices);
         builder.outside();
         builder.wide.outside = builder.wide.start.len();
         if !packed.nodes.is_empty() {
@@ -27,7 +28,7 @@ impl<R: Real> Wide<R> {
 }
 
 /// More balls than a block holds, or something else than balls.
-const MANY: u8 = LANES as u8 + 1;
+pub(super) const MANY: u8 = LANES as u8 + 1;
 
 /// From so many nodes of pairs on, starting threads costs less than they save.
 const MANY_NODES: usize = 1 << 14;
@@ -52,50 +53,24 @@ fn balls<R: Real>(packed: &Packed<R>) -> Vec<u32> {
     }
 }
 
-/// How many balls are below each node, if they fit a block.
-fn weights<R: Real>(packed: &Packed<R>, balls: &[u32]) -> Vec<u8> {
-    let mut order = Vec::with_capacity(packed.nodes.len());
-    let mut open: Vec<u32> = if packed.nodes.is_empty() { vec![] } else { vec![0] };
-    while let Some(index) = open.pop() {
-        order.push(index);
-        let node = &packed.nodes[index as usize];
-        if node.count == 0 {
-            open.extend([node.first, node.first + 1]);
-        }
-    }
-    let mut weights = vec![MANY; packed.nodes.len()];
-    for index in order.into_iter().rev() {
-        let node = &packed.nodes[index as usize];
-        let first = node.first as usize;
-        weights[index as usize] = if node.count == 0 {
-            MANY.min(weights[first] + weights[first + 1])
-        } else if node.count as usize <= LANES && balls[within(node)].iter().all(|ball| *ball != NONE) {
-            node.count as u8
-        } else {
-            MANY
-        };
-    }
-    weights
-}
-
 /// Which islands a leaf of the hierarchy of pairs has.
-const fn within(node: &Node) -> Range<usize> {
+pub(super) const fn within(node: &Node) -> Range<usize> {
     node.first as usize..(node.first + node.count) as usize
 }
 
 struct Builder<'a, R> {
     packed: &'a Packed<R>,
     balls: &'a [u32],
-    weights: &'a [u8],
+    choices: &'a [Choice],
     wide: Wide<R>,
 }
 
 impl<'a, R: Real> Builder<'a, R> {
-    const fn new(packed: &'a Packed<R>, balls: &'a [u32], weights: &'a [u8]) -> Self {
+    const fn new(packed: &'a Packed<R>, balls: &'a [u32], choices: &'a [Choice]) -> Self {
         Self {
             packed,
             balls,
-            weights,
+            choices,
             wide: Wide {
                 nodes: Vec::new(),
                 blocks: Vec::new(),
@@ -143,9 +118,9 @@ impl<'a, R: Real> Builder<'a, R> {
         if open.is_empty() {
             return root;
         }
-        let (packed, balls, weights) = (self.packed, self.balls, self.weights);
+        let (packed, balls, choices) = (self.packed, self.balls, self.choices);
         let part = |(place, from): (Child, u32)| {
-            let mut part = Builder::new(packed, balls, weights);
+            let mut part = Builder::new(packed, balls, choices);
             let mut open = VecDeque::from([(part.child(from), from)]);
             // The last one first, so that what stands near in space stands near in memory.
             while let Some((place, from)) = open.pop_back() {
@@ -154,6 +129,9 @@ impl<'a, R: Real> Builder<'a, R> {
             (place, part.wide)
         };
         let parts: Vec<_> = open.into_par_iter().map(part).collect();
+        let sum = |many: fn(&Wide<R>) -> usize| parts.iter().map(|(_, part)| many(part)).sum();
+        self.wide.nodes.reserve_exact(sum(|part| part.nodes.len()));
+        self.wide.blocks.reserve_exact(sum(|part| part.blocks.len()));
         for (place, part) in parts {
             self.adopt(place, part);
         }
@@ -163,7 +141,7 @@ impl<'a, R: Real> Builder<'a, R> {
     /// Fills in the children of a node; those that are nodes themselves are still open.
     fn fill(&mut self, place: Child, from: u32, open: &mut VecDeque<(Child, u32)>) {
         let Kind::Node(place) = place.kind() else { return };
-        for (slot, from) in (0..).zip(self.family(from)) {
+        for (slot, from) in (0..).zip(family(&self.packed.nodes, self.choices, from)) {
             let child = self.child(from);
             self.wide.nodes[place].put(slot, &self.packed.nodes[from as usize], child);
             if let Kind::Node(_) = child.kind() {
@@ -197,39 +175,17 @@ impl<'a, R: Real> Builder<'a, R> {
 
     /// What a node of pairs becomes: a block, a run, or a node whose children are still to be filled in.
     fn child(&mut self, from: u32) -> Child {
-        let node = &self.packed.nodes[from as usize];
-        if self.weights[from as usize] < MANY {
-            let balls = self.below(from);
-            return self.block(balls.into_iter());
-        }
-        if node.count > 0 {
+        let (node, choice) = (&self.packed.nodes[from as usize], self.choices[from as usize]);
+        if choice.is_closed() {
+            if choice.weight < MANY {
+                let balls = self.below(from);
+                return self.block(balls.into_iter());
+            }
             self.wide.runs.push([node.first, node.first + node.count]);
             return Child::new(2, self.wide.runs.len() - 1);
         }
         self.wide.nodes.push(WideNode::EMPTY);
         Child::new(0, self.wide.nodes.len() - 1)
-    }
-
-    /// The up to eight nodes of pairs that become a node's children: the largest is opened until there are enough.
-    fn family(&self, from: u32) -> Vec<u32> {
-        let area = |index: u32| {
-            let node = &self.packed.nodes[index as usize];
-            let closed = node.count > 0 || self.weights[index as usize] < MANY;
-            let [x, y, z] = [0, 1, 2].map(|axis| node.high[axis] - node.low[axis]);
-            if closed { -1.0 } else { x * y + y * z + z * x }
-        };
-        let first = self.packed.nodes[from as usize].first;
-        let mut family = vec![first, first + 1];
-        while family.len() < LANES {
-            let largest = (0..family.len()).max_by(|a, b| area(family[*a]).total_cmp(&area(family[*b])));
-            let Some(largest) = largest.filter(|at| area(family[*at]) >= 0.0) else {
-                break;
-            };
-            let first = self.packed.nodes[family[largest] as usize].first;
-            family[largest] = first;
-            family.push(first + 1);
-        }
-        family
     }
 
     /// The balls below a node.

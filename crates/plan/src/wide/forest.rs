@@ -1,0 +1,125 @@
+//! Which nodes of pairs become one node of eight: those with the least cost of all ways to choose them.
+
+use super::LANES;
+use super::build::{MANY, within};
+use crate::packed::packed_structs::Node;
+
+/// What it takes to test a ray against the boxes of a node, and against the balls of a block: about the same.
+const NODE: f32 = 1.0;
+const BLOCK: f32 = 1.0;
+/// And against an island that is something else.
+const ISLAND: f32 = 1.0;
+
+/// What becomes of a node of pairs.
+#[derive(Clone, Copy)]
+pub(super) struct Choice {
+    /// Entry j is for a forest of up to j + 1 trees: how many of them its left child makes, or 0 if one fewer does as well. The first
+    /// is for a single one: 1 for a node, 0 for a block or a run. The last is for the children of a node.
+    left: [u8; LANES],
+    /// How many balls there are, if they fit a block.
+    pub(super) weight: u8,
+}
+
+impl Choice {
+    const CLOSED: Self = Self {
+        left: [0; LANES],
+        weight: MANY,
+    };
+
+    /// Whether it becomes a block or a run.
+    pub(super) const fn is_closed(&self) -> bool {
+        self.left[0] == 0
+    }
+}
+
+/// Chooses for all nodes of pairs, those of their leaves being balls that are `ball`.
+///
+/// The cost is what a ray that meets the whole has to test on average, a box being met as often as it is large on its outside
+/// (Goldsmith and Salmon 1987; of wide nodes Wald et al. 2008). The least for a forest in place of a node comes from those of its
+/// two children (Ylitie et al. 2017).
+pub(super) fn choices(nodes: &[Node], ball: impl Fn(usize) -> bool) -> Vec<Choice> {
+    let mut costs = vec![[0.0; LANES - 1]; nodes.len()];
+    let mut choices = vec![Choice::CLOSED; nodes.len()];
+    for index in downwards(nodes).into_iter().rev() {
+        let (node, index) = (&nodes[index as usize], index as usize);
+        let first = node.first as usize;
+        let area = area(node);
+        if node.count > 0 {
+            let fits = node.count as usize <= LANES && within(node).all(&ball);
+            let cost = if fits { BLOCK } else { ISLAND * node.count as f32 };
+            choices[index].weight = if fits { node.count as u8 } else { MANY };
+            costs[index] = [area * cost; LANES - 1];
+            continue;
+        }
+        let weight = MANY.min(choices[first].weight + choices[first + 1].weight);
+        let closed = if weight < MANY { area * BLOCK } else { f32::INFINITY };
+        let [left, right] = [&costs[first], &costs[first + 1]];
+        let (children, inner) = divided(left, right, LANES);
+        let inner = inner + area * NODE;
+        let mut choice = Choice::CLOSED;
+        let mut cost = [closed.min(inner); LANES - 1];
+        choice.weight = weight;
+        choice.left[0] = u8::from(weight == MANY || inner < closed);
+        choice.left[LANES - 1] = children;
+        for trees in 2..LANES {
+            let (part, divided) = divided(left, right, trees);
+            cost[trees - 1] = cost[trees - 2];
+            if divided < cost[trees - 1] {
+                (choice.left[trees - 1], cost[trees - 1]) = (part, divided);
+            }
+        }
+        (choices[index], costs[index]) = (choice, cost);
+    }
+    choices
+}
+
+/// How so many trees are best shared between two children, and what that costs.
+fn divided(left: &[f32; LANES - 1], right: &[f32; LANES - 1], trees: usize) -> (u8, f32) {
+    let mut best = (1, left[0] + right[trees - 2]);
+    for part in 2..trees {
+        let cost = left[part - 1] + right[trees - part - 1];
+        if cost < best.1 {
+            best = (part as u8, cost);
+        }
+    }
+    best
+}
+
+/// The nodes of pairs that become the children of a node.
+pub(super) fn family(nodes: &[Node], choices: &[Choice], from: u32) -> Vec<u32> {
+    let mut family = Vec::with_capacity(LANES);
+    let mut open = vec![(from, LANES)];
+    while let Some((index, mut trees)) = open.pop() {
+        let left = &choices[index as usize].left;
+        while trees > 1 && left[trees - 1] == 0 {
+            trees -= 1;
+        }
+        if trees == 1 {
+            family.push(index);
+            continue;
+        }
+        let (first, part) = (nodes[index as usize].first, left[trees - 1].into());
+        open.extend([(first + 1, trees - part), (first, part)]);
+    }
+    family
+}
+
+/// All nodes, each before its children.
+fn downwards(nodes: &[Node]) -> Vec<u32> {
+    let mut order = Vec::with_capacity(nodes.len());
+    let mut open: Vec<u32> = if nodes.is_empty() { vec![] } else { vec![0] };
+    while let Some(index) = open.pop() {
+        order.push(index);
+        let node = &nodes[index as usize];
+        if node.count == 0 {
+            open.extend([node.first, node.first + 1]);
+        }
+    }
+    order
+}
+
+/// Half the outside of a box.
+fn area(node: &Node) -> f32 {
+    let [x, y, z] = [0, 1, 2].map(|axis| node.high[axis] - node.low[axis]);
+    x * y + y * z + z * x
+}
