@@ -52,11 +52,11 @@ struct Speck {
 
 fn speck(plan: &Plan, leaf: &Leaf) -> Option<Speck> {
     let (view, shape) = (&plan.view, &plan.shapes[leaf.shape as usize]);
-    if shape.kind == ShapeKind::HalfSpace {
+    if shape.kind() == ShapeKind::HalfSpace {
         return None;
     }
     let offset = shape.centre - view.eye;
-    let axes = shape.linear.to_cols_array_2d();
+    let axes = shape.linear().to_cols_array_2d();
     // At most the root of the sum of the squares of the semi-axes.
     let radius = axes.as_flattened().iter().map(|part| part * part).sum::<f64>().sqrt();
     let (depth, distance) = (offset.dot(view.forward), offset.length());

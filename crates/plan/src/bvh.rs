@@ -9,9 +9,8 @@ use obvhs::bvh2::node::Bvh2Node;
 use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::ploc::PlocBuilder;
 
-use crate::Box3;
-use crate::flatten::Flat;
 use crate::packed::packed_structs::Node;
+use crate::{Box3, Island};
 
 /// With up to this many members in all bounded islands, a list is walked faster than a tree.
 const SHORT_LIST: u32 = 8;
@@ -20,30 +19,45 @@ pub(crate) const MAX_DEPTH: usize = 64;
 /// The most islands in a leaf of the hierarchy.
 const LEAF_ISLANDS: usize = 4;
 
-/// Puts the unbounded islands first and the rest into the order of a hierarchy, if there are enough of them.
-pub(crate) fn arrange(mut flat: Flat) -> Flat {
-    let (mut islands, bounded): (Vec<_>, Vec<_>) =
-        (0..flat.islands.len() as u32).partition(|index| !flat.islands[*index as usize].bounds.is_finite());
-    let island = |index: u32| &flat.islands[index as usize];
+/// Islands in the order in which they are looked for.
+pub(crate) struct Arranged {
+    /// The unbounded islands first, the rest in the order of the hierarchy, if there are enough of them for one.
+    pub(crate) list: Vec<Island>,
+    /// How many stand before those that the hierarchy holds.
+    pub(crate) linear: usize,
+    /// The hierarchy.
+    pub(crate) nodes: Vec<Node>,
+}
+
+/// Arranges islands.
+pub(crate) fn arrange(islands: Vec<Island>) -> Arranged {
+    let (mut order, bounded): (Vec<_>, Vec<_>) =
+        (0..islands.len() as u32).partition(|index| !islands[*index as usize].bounds.is_finite());
+    let island = |index: u32| &islands[index as usize];
     let members: u32 = bounded
         .iter()
         .map(|index| island(*index).members.1 - island(*index).members.0)
         .sum();
-    if members <= SHORT_LIST {
-        islands.extend(bounded);
-        flat.linear = islands.len();
+    let mut nodes = Vec::new();
+    let linear = if members <= SHORT_LIST {
+        order.extend(bounded);
+        order.len()
     } else {
+        let linear = order.len();
         let boxes: Vec<_> = bounded.iter().map(|index| outward(&island(*index).bounds)).collect();
-        let (order, mut nodes) = build(&boxes);
-        flat.linear = islands.len();
-        islands.extend(order.iter().map(|place| bounded[*place as usize]));
+        let places;
+        (places, nodes) = build(&boxes);
+        order.extend(places.iter().map(|place| bounded[*place as usize]));
         for node in nodes.iter_mut().filter(|node| node.count > 0) {
-            node.first += flat.linear as u32;
+            node.first += linear as u32;
         }
-        flat.nodes = nodes;
+        linear
+    };
+    Arranged {
+        list: order.into_iter().map(|index| islands[index as usize]).collect(),
+        linear,
+        nodes,
     }
-    flat.islands = islands.into_iter().map(|index| flat.islands[index as usize]).collect();
-    flat
 }
 
 type Corners = [[f32; 3]; 2];

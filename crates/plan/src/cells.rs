@@ -14,7 +14,7 @@ use scenec_scene::DVec3;
 use crate::packed::packed_structs::Cell;
 use crate::parts::Parts;
 use crate::postfix::{Pruner, Rest, Token};
-use crate::shapes::{Shape, ShapeKind};
+use crate::shape::{Shape, ShapeKind};
 use crate::{Box3, Part};
 
 /// A cell that is not divided holds a part, ...
@@ -292,10 +292,10 @@ fn area(bounds: &Box3) -> f64 {
 
 /// What holds a shape, plan units.
 pub(crate) fn holder(shape: &Shape) -> Box3 {
-    if shape.kind == ShapeKind::HalfSpace {
+    if shape.kind() == ShapeKind::HalfSpace {
         return Box3::ALL;
     }
-    let rows = shape.linear.transpose();
+    let rows = shape.linear().transpose();
     let reach = DVec3::new(rows.x_axis.length(), rows.y_axis.length(), rows.z_axis.length());
     Box3 {
         min: shape.centre - reach,

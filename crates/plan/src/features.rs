@@ -60,7 +60,7 @@ impl Features {
     #[must_use]
     pub fn of(plan: &Plan) -> Self {
         let bounces = plan.view.raydepth > 0;
-        let any_shape = |kind| plan.shapes.iter().any(|shape| shape.kind == kind);
+        let any_shape = |kind| plan.shapes.iter().any(|shape| shape.kind() == kind);
         let any_material = |test: fn(&Material) -> bool| plan.materials.iter().any(test);
         let refractions = bounces && any_material(|material| material.refract != 0.0);
         let branching = bounces && any_material(|material| material.refract != 0.0 && material.reflect != 0.0);

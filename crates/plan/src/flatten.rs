@@ -6,11 +6,11 @@ use scenec_scene::{DVec3, MaterialId};
 use crate::cells::{Divider, holder};
 use crate::frame::Place;
 use crate::normal::Normal;
-use crate::packed::packed_structs::{Cell, Node};
+use crate::packed::packed_structs::Cell;
 use crate::parts::Parts;
 use crate::postfix::{Pruner, Token, write_out};
 use crate::program::Instruction;
-use crate::shapes::Shape;
+use crate::shape::Shape;
 use crate::terms::{Term, Terms};
 use crate::{Box3, Island, Leaf, MAX_PROGRAM, Part, PlanError};
 
@@ -21,12 +21,10 @@ pub(crate) struct Flat {
     pub(crate) leaves: Vec<Leaf>,
     pub(crate) materials: Vec<MaterialId>,
     pub(crate) islands: Vec<Island>,
-    pub(crate) linear: usize,
     pub(crate) program: Vec<Instruction>,
     pub(crate) members: Vec<u32>,
     pub(crate) parts: Vec<Part>,
     pub(crate) cells: Vec<Cell>,
-    pub(crate) nodes: Vec<Node>,
     /// The trees of those islands that are more than a leaf, by island.
     trees: Vec<(usize, Vec<Token>)>,
 }
@@ -148,7 +146,7 @@ impl Flat {
     /// The same in plan units.
     pub(crate) fn relative(mut self, place: &Place) -> Self {
         for shape in &mut self.shapes {
-            *shape = shape.relative(place.origin, place.scale);
+            shape.relate(place.origin, place.scale);
         }
         for island in &mut self.islands {
             island.bounds = island.bounds.relative(place.origin, place.scale);

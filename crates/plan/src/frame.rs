@@ -4,7 +4,8 @@ use scenec_scene::{DVec3, Material, Scene};
 
 use crate::PlanError;
 use crate::flatten::Flat;
-use crate::shapes::{Shape, ShapeKind};
+use crate::shape::{Shape, ShapeKind};
+use crate::together::found;
 
 /// What the tracers need to know of the camera and the sky.
 #[derive(Clone, Debug)]
@@ -79,7 +80,7 @@ pub(crate) fn place(scene: &Scene, flat: &Flat) -> Result<Place, PlanError> {
         // The halves, since the whole may overflow.
         extent = extent.max((bounds.max / 2.0 - bounds.min / 2.0).max_element());
     }
-    for shape in flat.shapes.iter().filter(|shape| shape.kind == ShapeKind::HalfSpace) {
+    for shape in flat.shapes.iter().filter(|shape| shape.kind() == ShapeKind::HalfSpace) {
         extent = extent.max(distance(shape, origin));
     }
     let exponent = if extent > 0.0 {
@@ -151,14 +152,13 @@ pub(crate) fn touches(lamps: &mut [Lamp], shapes: &[Shape]) -> Vec<Touch> {
     let mut touches: Vec<Touch> = Vec::new();
     for lamp in lamps {
         let first = touches.len();
-        for shape in shapes {
-            if let Some(local) = shape.touched_by(lamp.position)
-                && touches[first..].iter().all(|touch| touch.class != shape.class)
-            {
-                touches.push(Touch {
-                    class: shape.class,
-                    local,
-                });
+        let touched = found(shapes, |shape| {
+            let class = shape.class;
+            shape.touched_by(lamp.position).map(|local| Touch { class, local })
+        });
+        for touch in touched {
+            if touches[first..].iter().all(|known| known.class != touch.class) {
+                touches.push(touch);
             }
         }
         lamp.touches = (first as u32, touches.len() as u32);

@@ -10,6 +10,7 @@ mod cells;
 mod features;
 mod flatten;
 mod frame;
+mod key;
 mod layout;
 mod normal;
 mod packed;
@@ -20,11 +21,13 @@ mod precision;
 mod program;
 mod real;
 mod register;
+mod shape;
 mod shapes;
 mod side;
 mod standpoint;
 mod summary;
 mod terms;
+mod together;
 mod uses;
 mod wide;
 
@@ -41,7 +44,7 @@ pub use packed::{LAYOUTS, Packed, packed_structs};
 pub use precision::BeyondSingle;
 pub use program::{Instruction, OPERATION_SHIFT, PROGRAM_DEPTH, evaluate, evaluate_product, owner};
 pub use real::{Real, in_doubles, in_singles};
-pub use shapes::{Shape, ShapeKind};
+pub use shape::{Axes, Form, Shape, ShapeKind};
 pub use standpoint::{Foothold, Standpoint};
 pub use summary::{Dropped, Reason, Summary, Tiers};
 pub use wide::{Child, Kind, LANES, Wide};
@@ -91,6 +94,7 @@ pub struct Plan {
     pub origin: DVec3,
     /// Plan units per world unit: a power of two.
     pub scale: f64,
+    beyond_single: Option<BeyondSingle>,
 }
 
 /// A surface and what it is made of.
@@ -172,7 +176,11 @@ pub fn plan(scene: &Scene) -> Result<Plan, PlanError> {
     let place = frame::place(scene, &flat)?;
     let view = frame::view(scene, &place);
     let flat = flat.relative(&place).divided(view.eye)?;
-    let flat = bvh::arrange(flat);
+    let (islands, beyond_single) = together::together(
+        flat.leaves.len(),
+        || bvh::arrange(flat.islands),
+        || precision::beyond_single(&view, &flat.shapes, &flat.leaves),
+    );
     let mut lights = frame::lamps(scene, &place);
     let touches = frame::touches(&mut lights, &flat.shapes);
     let materials: Vec<_> = flat.materials.iter().map(|id| *scene.material(*id)).collect();
@@ -190,13 +198,14 @@ pub fn plan(scene: &Scene) -> Result<Plan, PlanError> {
         materials,
         shapes: flat.shapes,
         leaves: flat.leaves,
-        islands: flat.islands,
-        linear: flat.linear,
+        islands: islands.list,
+        linear: islands.linear,
         parts: flat.parts,
         cells: flat.cells,
         program: flat.program,
         members: flat.members,
-        nodes: flat.nodes,
+        nodes: islands.nodes,
+        beyond_single,
     };
     plan.standpoint = Standpoint::of(&plan);
     Ok(plan)

@@ -5,7 +5,7 @@
 
 use hashbrown::{HashMap, HashSet};
 
-use scenec_scene::{Base, MaterialId, Op, Scene, SolidId, SolidKind, Transform};
+use scenec_scene::{Base, MaterialId, Op, Scene, Solid, SolidId, SolidKind, Transform};
 
 use crate::shapes::Shapes;
 use crate::summary::Reason;
@@ -22,6 +22,18 @@ pub(crate) struct Normal {
     pub(crate) terms: Terms,
     /// The operands of the root's unions.
     pub(crate) roots: Vec<Term>,
+}
+
+impl Normal {
+    /// Of nothing so far, with room for so many leaves: lists that grow are moved, and take memory anew each time.
+    fn with_room(room: usize) -> Self {
+        Self {
+            shapes: Shapes::with_room(room),
+            leaves: Vec::with_capacity(room),
+            terms: Terms::with_room(room),
+            ..Self::default()
+        }
+    }
 }
 
 /// A solid under the outermost paint on the way to it, or its complement.
@@ -74,10 +86,12 @@ fn step(scene: &Scene, here: Painted) -> Step {
 
 /// The submitted solid in normal form, world units.
 pub(crate) fn normalise(scene: &Scene, uses: &[u32]) -> Normal {
+    let leaf = |(solid, uses): (&Solid, &u32)| *uses > 0 && matches!(solid.kind, SolidKind::Leaf(_));
+    let room = scene.solids.iter().zip(uses).filter(|both| leaf(*both)).count();
     let mut work = Work {
         scene,
         uses,
-        normal: Normal::default(),
+        normal: Normal::with_room(room),
         materials: HashMap::new(),
         leaves: Leaves {
             own: vec![NONE; uses.len()],

@@ -4,7 +4,7 @@
 //! side is generated, and refuses a struct that would hold padding in either precision.
 
 use crate::layout::{Describe, Field, Layout, Number};
-use crate::shapes::ShapeKind;
+use crate::shape::ShapeKind;
 use crate::wide::{Child, LANES};
 use crate::{Plan, Real};
 
@@ -436,9 +436,9 @@ fn packed_light<R: Real>(lamp: &crate::Lamp) -> Light<R> {
 fn packed_shape<R: Real>(shape: &crate::Shape) -> Shape<R> {
     Shape {
         centre: vector(shape.centre.to_array()),
-        inverse: vector(shape.inverse.transpose().to_cols_array()),
-        linear: vector(shape.linear.transpose().to_cols_array()),
-        kind: match shape.kind {
+        inverse: vector(shape.inverse().transpose().to_cols_array()),
+        linear: vector(shape.linear().transpose().to_cols_array()),
+        kind: match shape.kind() {
             ShapeKind::Ball => 0,
             ShapeKind::Ellipsoid => 1,
             ShapeKind::HalfSpace => 2,

@@ -2,9 +2,12 @@
 
 use std::fmt;
 
-use crate::Plan;
+use crate::frame::View;
+use crate::key::Key;
 use crate::register::Register;
-use crate::shapes::{Shape, ShapeKind};
+use crate::shape::{Form, Shape};
+use crate::together::together;
+use crate::{Leaf, Plan};
 
 /// Why single precision does not suffice for a plan.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -51,9 +54,6 @@ const NEAR: f64 = (1 << 18) as f64;
 /// The largest number that single precision may meet in a shape: an intersection multiplies up to two of them.
 const LARGEST: f64 = (1_u64 << 60) as f64;
 
-/// From so many leaves on, starting threads costs less than they save.
-const MANY: usize = 1 << 13;
-
 /// Half the distance from 1 to the next single.
 const UNIT: f64 = 1.0 / (1 << 24) as f64;
 
@@ -62,83 +62,84 @@ impl Plan {
     /// eye sees it, within a sixteenth of a pixel, and no two surfaces that single precision might confuse; what mirrors
     /// and glass make of that is magnified by them, in any precision.
     #[must_use]
-    pub fn beyond_single(&self) -> Option<BeyondSingle> {
-        if !self.shapes.iter().all(in_range) {
-            return Some(BeyondSingle::OutOfRange);
-        }
-        self.far_displaced().or_else(|| self.nearly_coincident())
-    }
-
-    fn far_displaced(&self) -> Option<BeyondSingle> {
-        self.leaves.iter().find_map(|leaf| {
-            let pixels = self.displacement(&self.shapes[leaf.shape as usize], UNIT);
-            (pixels > TOLERANCE).then_some(BeyondSingle::Displaced {
-                pixels,
-                solid: leaf.solid,
-            })
-        })
+    pub const fn beyond_single(&self) -> Option<BeyondSingle> {
+        self.beyond_single
     }
 
     /// How many pixels beside its place any surface may appear to the eye, with this unit roundoff; at most 1, for that is
     /// anywhere in its pixel. A surface that the eye is on does not count: its rays start on it exactly.
     #[must_use]
     pub fn displaced(&self, roundoff: f64) -> f64 {
-        let worst = self.leaves.iter().fold(0.0_f64, |worst, leaf| {
-            let pixels = self.displacement(&self.shapes[leaf.shape as usize], roundoff);
+        let worst = self.shapes.iter().fold(0.0_f64, |worst, shape| {
+            let pixels = displacement(&self.view, shape, roundoff);
             if pixels.is_finite() { worst.max(pixels) } else { worst }
         });
         worst.min(1.0)
     }
+}
 
-    /// How many pixels beside its place a surface may appear: the eye, the surface's centre and the ray's direction are
-    /// each rounded once, which moves the surface by u times their sizes, as seen over the least distance from which the
-    /// eye can see it.
-    fn displacement(&self, shape: &Shape, roundoff: f64) -> f64 {
-        let view = &self.view;
-        let pixel = 2.0 * view.right.length() / f64::from(view.width);
-        let moved = roundoff * (shape.centre.length() + view.eye.length());
-        let offset = view.eye - shape.centre;
-        let distance = match shape.kind {
-            ShapeKind::HalfSpace => shape.normal().dot(offset).abs(),
-            _ => ((shape.inverse * offset).length() - 1.0).abs() * shape.least_radius(),
-        };
-        (roundoff + moved / distance) / pixel
+/// See [`Plan::beyond_single`].
+pub(crate) fn beyond_single(view: &View, shapes: &[Shape], leaves: &[Leaf]) -> Option<BeyondSingle> {
+    if !shapes.iter().all(in_range) {
+        return Some(BeyondSingle::OutOfRange);
     }
+    far_displaced(view, shapes, leaves).or_else(|| nearly_coincident(shapes, leaves))
+}
 
-    /// The first two surfaces that are not the same, and yet nearly.
-    fn nearly_coincident(&self) -> Option<BeyondSingle> {
-        // On each of two grids, half a step apart: numbers that differ by less than half a step share a cell of one.
-        let crowded = |shift: f64| {
-            let mut cells = Register::default();
-            let cell = |leaf: u32| self.shape_of(leaf).cell(NEAR, shift);
-            (0..self.leaves.len() as u32).find_map(|leaf| {
-                let key = cell(leaf);
-                let Some(first) = cells.find(&key, cell) else {
-                    cells.file(&key, leaf);
-                    return None;
-                };
-                let solids = [first, leaf].map(|leaf| self.leaves[leaf as usize].solid);
-                (self.shape_of(first).class != self.shape_of(leaf).class)
-                    .then_some(BeyondSingle::NearlyCoincident { solids: solids.into() })
-            })
-        };
-        if self.leaves.len() > MANY {
-            let (first, second) = rayon::join(|| crowded(0.0), || crowded(0.5));
-            return first.or(second);
-        }
-        crowded(0.0).or_else(|| crowded(0.5))
-    }
+fn far_displaced(view: &View, shapes: &[Shape], leaves: &[Leaf]) -> Option<BeyondSingle> {
+    leaves.iter().find_map(|leaf| {
+        let pixels = displacement(view, &shapes[leaf.shape as usize], UNIT);
+        (pixels > TOLERANCE).then_some(BeyondSingle::Displaced {
+            pixels,
+            solid: leaf.solid,
+        })
+    })
+}
 
-    fn shape_of(&self, leaf: u32) -> &Shape {
-        &self.shapes[self.leaves[leaf as usize].shape as usize]
-    }
+/// How many pixels beside its place a surface may appear: the eye, the surface's centre and the ray's direction are
+/// each rounded once, which moves the surface by u times their sizes, as seen over the least distance from which the
+/// eye can see it.
+fn displacement(view: &View, shape: &Shape, roundoff: f64) -> f64 {
+    let pixel = 2.0 * view.right.length() / f64::from(view.width);
+    let moved = roundoff * (shape.centre.length() + view.eye.length());
+    let offset = view.eye - shape.centre;
+    let distance = match shape.form {
+        Form::HalfSpace { normal } => normal.dot(offset).abs(),
+        _ => (shape.local(offset).length() - 1.0).abs() * shape.least_radius(),
+    };
+    (roundoff + moved / distance) / pixel
+}
+
+/// The first two surfaces that are not the same, and yet nearly.
+fn nearly_coincident(shapes: &[Shape], leaves: &[Leaf]) -> Option<BeyondSingle> {
+    let shape_of = |leaf: u32| &shapes[leaves[leaf as usize].shape as usize];
+    // On each of two grids, half a step apart: numbers that differ by less than half a step share a cell of one.
+    let crowded = |shift: f64| {
+        let mut cells = Register::with_room(leaves.len());
+        let cell = |leaf: u32| Key::cell(shape_of(leaf), NEAR, shift);
+        (0..leaves.len() as u32).find_map(|leaf| {
+            let key = cell(leaf);
+            let Some(first) = cells.find(&key, cell) else {
+                cells.file(&key, leaf);
+                return None;
+            };
+            let solids = [first, leaf].map(|leaf| leaves[leaf as usize].solid);
+            (shape_of(first).class != shape_of(leaf).class)
+                .then_some(BeyondSingle::NearlyCoincident { solids: solids.into() })
+        })
+    };
+    let (first, second) = together(leaves.len(), || crowded(0.0), || crowded(0.5));
+    first.or(second)
 }
 
 fn in_range(shape: &Shape) -> bool {
-    let matrices = shape
-        .inverse
-        .to_cols_array()
-        .into_iter()
-        .chain(shape.linear.to_cols_array());
-    matrices.chain(shape.centre.to_array()).all(|x| x.abs() <= LARGEST)
+    let range = |x: f64| x.abs() <= LARGEST;
+    let form = match &shape.form {
+        Form::Ball { radius } => range(*radius) && range(1.0 / radius),
+        Form::Ellipsoid(axes) => [axes.inverse, axes.linear]
+            .iter()
+            .all(|matrix| matrix.to_cols_array().into_iter().all(range)),
+        Form::HalfSpace { .. } => true,
+    };
+    form && shape.centre.to_array().into_iter().all(range)
 }

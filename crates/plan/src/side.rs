@@ -2,7 +2,8 @@
 
 use scenec_scene::DVec3;
 
-use crate::{Box3, Shape, ShapeKind};
+use crate::Box3;
+use crate::shape::{Axes, Form, Shape};
 
 /// Where the points of a box are.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -20,16 +21,15 @@ pub(crate) enum Side {
 /// A box that reaches to infinity is judged by the walls that it has. NaN and infinity make a comparison fail, which
 /// leaves the box across.
 pub(crate) fn side(shape: &Shape, bounds: &Box3, slack: f64) -> Side {
-    match shape.kind {
-        ShapeKind::HalfSpace => of_half_space(shape, bounds, slack),
-        ShapeKind::Ball => of_ball(shape, bounds, slack),
-        ShapeKind::Ellipsoid => of_ellipsoid(shape, bounds, slack),
+    match &shape.form {
+        Form::HalfSpace { normal } => of_half_space(*normal, shape.centre, bounds, slack),
+        Form::Ball { radius } => of_ball(*radius, shape.centre, bounds, slack),
+        Form::Ellipsoid(axes) => of_ellipsoid(axes, shape.centre, bounds, slack),
     }
 }
 
-fn of_half_space(shape: &Shape, bounds: &Box3, slack: f64) -> Side {
-    let normal = shape.normal();
-    let offset = normal.dot(shape.centre);
+fn of_half_space(normal: DVec3, foot: DVec3, bounds: &Box3, slack: f64) -> Side {
+    let offset = normal.dot(foot);
     let (mut least, mut most) = (-offset, -offset);
     for axis in 0..3 {
         let n = normal[axis];
@@ -49,10 +49,9 @@ fn of_half_space(shape: &Shape, bounds: &Box3, slack: f64) -> Side {
     }
 }
 
-fn of_ball(shape: &Shape, bounds: &Box3, slack: f64) -> Side {
-    let radius = shape.linear.x_axis.x;
-    let near = bounds.nearest(shape.centre).distance(shape.centre);
-    let far = (bounds.max - shape.centre).max(shape.centre - bounds.min).length();
+fn of_ball(radius: f64, centre: DVec3, bounds: &Box3, slack: f64) -> Side {
+    let near = bounds.nearest(centre).distance(centre);
+    let far = (bounds.max - centre).max(centre - bounds.min).length();
     if near > radius + slack {
         Side::Outside
     } else if far < radius - slack {
@@ -62,15 +61,15 @@ fn of_ball(shape: &Shape, bounds: &Box3, slack: f64) -> Side {
     }
 }
 
-fn of_ellipsoid(shape: &Shape, bounds: &Box3, slack: f64) -> Side {
-    let rows = shape.linear.transpose();
+fn of_ellipsoid(axes: &Axes, centre: DVec3, bounds: &Box3, slack: f64) -> Side {
+    let rows = axes.linear.transpose();
     let reach = DVec3::new(rows.x_axis.length(), rows.y_axis.length(), rows.z_axis.length()) + slack;
-    let apart = bounds.min.cmpgt(shape.centre + reach) | bounds.max.cmplt(shape.centre - reach);
+    let apart = bounds.min.cmpgt(centre + reach) | bounds.max.cmplt(centre - reach);
     if apart.any() {
         return Side::Outside;
     }
     // In the shape's own coordinates, where it is the unit ball.
-    let stretch = shape
+    let stretch = axes
         .inverse
         .to_cols_array()
         .into_iter()
@@ -78,12 +77,12 @@ fn of_ellipsoid(shape: &Shape, bounds: &Box3, slack: f64) -> Side {
         .sum::<f64>()
         .sqrt();
     let slack = slack * stretch;
-    let middle = shape.inverse * (bounds.min / 2.0 + bounds.max / 2.0 - shape.centre);
+    let middle = axes.inverse * (bounds.min / 2.0 + bounds.max / 2.0 - centre);
     let half = bounds.max / 2.0 - bounds.min / 2.0;
     let edges = [
-        shape.inverse.x_axis * half.x,
-        shape.inverse.y_axis * half.y,
-        shape.inverse.z_axis * half.z,
+        axes.inverse.x_axis * half.x,
+        axes.inverse.y_axis * half.y,
+        axes.inverse.z_axis * half.z,
     ];
     // No corner is farther from the middle than this.
     let spread: f64 = edges.iter().map(|edge| edge.length()).sum();

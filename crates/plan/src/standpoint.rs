@@ -42,11 +42,11 @@ impl Standpoint {
         let eye = plan.view.eye;
         let surface = plan.shapes.iter().find_map(|shape| {
             let local = shape.touched_by(eye)?;
-            let flat = shape.kind == ShapeKind::HalfSpace;
+            let flat = shape.kind() == ShapeKind::HalfSpace;
             let normal = if flat {
                 shape.normal()
             } else {
-                (shape.inverse.transpose() * local).normalize()
+                (shape.inverse().transpose() * local).normalize()
             };
             Some(Foothold {
                 class: shape.class,

@@ -6,6 +6,7 @@
 
 use hashbrown::{HashMap, HashSet};
 
+use crate::shape::{Form, largest};
 use crate::shapes::Shapes;
 use crate::side::{Side, side};
 use crate::summary::Reason;
@@ -101,6 +102,14 @@ pub(crate) struct Terms {
 }
 
 impl Terms {
+    /// None, with room for so many leaves.
+    pub(crate) fn with_room(leaves: usize) -> Self {
+        Self {
+            leaves: Vec::with_capacity(leaves),
+            ..Self::default()
+        }
+    }
+
     /// The operands of a node and how they are joined; `None` for anything else.
     pub(crate) fn node(&self, term: Term) -> Option<(Join, &[Term])> {
         let Term::Node(node) = term else { return None };
@@ -182,7 +191,7 @@ impl Terms {
         let half_space = |term: &Term| match *term {
             Term::Leaf { leaf, negative: false } => {
                 let shape = &shapes.list[self.leaves[leaf as usize].shape as usize];
-                (shape.kind == ShapeKind::HalfSpace).then_some(*shape)
+                (shape.kind() == ShapeKind::HalfSpace).then(|| shape.clone())
             }
             _ => None,
         };
@@ -414,13 +423,10 @@ impl Terms {
 pub(crate) fn slack(shape: &Shape, bounds: &Box3) -> f64 {
     let corners = [bounds.min.to_array(), bounds.max.to_array(), shape.centre.to_array()];
     let sizes = corners.into_iter().flatten().map(f64::abs).filter(|x| x.is_finite());
-    let radius = match shape.kind {
-        ShapeKind::HalfSpace => 0.0,
-        _ => shape
-            .linear
-            .to_cols_array()
-            .into_iter()
-            .fold(0.0_f64, |most, x| most.max(x.abs())),
+    let reach = match &shape.form {
+        Form::HalfSpace { .. } => 0.0,
+        Form::Ball { radius } => *radius,
+        Form::Ellipsoid(axes) => largest(&axes.linear),
     };
-    8.0 * SLACK * (sizes.fold(0.0, f64::max) + radius)
+    8.0 * SLACK * (sizes.fold(0.0, f64::max) + reach)
 }
