@@ -63,6 +63,11 @@ impl Cache {
         }
     }
 
+    /// Whether anything is ever kept.
+    pub(crate) const fn is_on(&self) -> bool {
+        self.folder.is_some()
+    }
+
     /// The bytes that were put under this key.
     pub(crate) fn get(&self, key: Hash) -> Option<Vec<u8>> {
         let path = self.path(key)?;

@@ -28,9 +28,9 @@ impl Program {
     }
 
     /// Puts the program into the cache, if it is not from there: after its first run, since some drivers compile a part
-    /// of it only then.
+    /// of it only then. It is not even asked for where nothing is kept: for a whole one PoCL compiles what may never run.
     pub(crate) fn keep(&self, cache: &Cache) {
-        if self.kept.swap(true, Ordering::Relaxed) {
+        if !cache.is_on() || self.kept.swap(true, Ordering::Relaxed) {
             return;
         }
         if let Ok(ProgramInfoResult::Binaries(binaries)) = core::get_program_info(&self.object, ProgramInfo::Binaries)
