@@ -249,9 +249,12 @@ real product_change(const Crossings *crossings, real at, bool inside) {
     real first = at, last = (real)INFINITY;
     for (uint word = part->program; word < part->program_end; ++word) {
         uint literal = crossings->scene->program[word];
+        bool positive = literal >> OPERATION_SHIFT == 0;
+        if (!positive && !inside)
+            continue;
         Interval i = member_interval(crossings, operand_of(literal));
-        if (literal >> OPERATION_SHIFT != 0) {
-            if (inside && i.enter < i.leave && i.enter > at)
+        if (!positive) {
+            if (i.enter < i.leave && i.enter > at)
                 last = fmin(last, i.enter);
         } else if (i.enter < i.leave) {
             first = fmax(first, i.enter);
@@ -262,6 +265,9 @@ real product_change(const Crossings *crossings, real at, bool inside) {
     }
     if (inside)
         return last;
+    /* What is taken away only moves the beginning further: most rays that miss the rest are through here. */
+    if (!(first < last))
+        return (real)INFINITY;
     for (bool moved = true; moved;) {
         moved = false;
         for (uint word = part->program; word < part->program_end; ++word) {
