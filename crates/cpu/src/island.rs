@@ -90,7 +90,14 @@ pub(crate) fn changes<R: Lanes, S: Simd>(
         || {
             let mut changes = Changes::NONE;
             let divided = question.of(within_reach(question.rays, island));
-            let whole = question.of(!divided.lanes);
+            let mut whole = question.of(!divided.lanes);
+            if whole.lanes != 0 && island.cells != NONE && island.product != 0 {
+                // Of a large product there is much to reckon with; from far away most rays miss it.
+                let leaf = |member: u32| stage.members[(island.members + member) as usize];
+                whole = whole.of(within_rest(stage, island, whole, |member| {
+                    crossed(stage, leaf(member), whole.rays)
+                }));
+            }
             if whole.lanes != 0 {
                 meet(stage, island, whole, room, &mut changes);
             }
@@ -144,33 +151,46 @@ fn within_reach<R: Lanes>(rays: &Rays<R>, island: &Island) -> u32 {
 fn gather<R: Lanes, S: Simd>(
     stage: Stage<'_, R, S>,
     part: &Island,
-    Question {
-        rays,
-        lanes,
-        from,
-        until,
-        ..
-    }: Question<'_, R>,
+    question: Question<'_, R>,
     found: &mut Vec<Intervals<R>>,
 ) -> u32 {
     let simd = stage.simd;
     found.clear();
     for leaf in &stage.members[part.members as usize..part.members_end as usize] {
-        let shape = &stage.shapes[stage.leaves[*leaf as usize].shape as usize];
-        let (enter, leave) = intervals(simd, shape, rays, touches(stage.scene, rays));
+        let (enter, leave) = crossed(stage, *leaf, question.rays);
         found.push([enter.to_array(), leave.to_array()]);
     }
     if part.product == 0 {
-        return lanes;
+        return question.lanes;
     }
-    // A product is nowhere but where all members are that are not taken away.
-    let (mut first, mut last) = (load::<R, S>(simd, from), load::<R, S>(simd, until));
-    let mut held = lanes;
+    within_rest(stage, part, question, |member| {
+        let [enter, leave] = &found[member as usize];
+        (load::<R, S>(simd, enter), load::<R, S>(simd, leave))
+    })
+}
+
+/// Where rays enter and leave a leaf.
+#[inline(always)]
+fn crossed<R: Lanes, S: Simd>(stage: Stage<'_, R, S>, leaf: u32, rays: &Rays<R>) -> (R::Eight<S>, R::Eight<S>) {
+    let shape = &stage.shapes[stage.leaves[leaf as usize].shape as usize];
+    intervals(stage.simd, shape, rays, touches(stage.scene, rays))
+}
+
+/// The rays that come to where all members of a product are that are not taken away: it is nowhere else.
+#[inline(always)]
+fn within_rest<R: Lanes, S: Simd>(
+    stage: Stage<'_, R, S>,
+    part: &Island,
+    question: Question<'_, R>,
+    interval: impl Fn(u32) -> (R::Eight<S>, R::Eight<S>),
+) -> u32 {
+    let simd = stage.simd;
+    let (mut first, mut last) = (load::<R, S>(simd, question.from), load::<R, S>(simd, question.until));
+    let mut held = question.lanes;
     for word in &stage.program[part.program as usize..part.program_end as usize] {
         let (operation, member) = Instruction(*word).parts();
         if operation == 0 {
-            let [enter, leave] = &found[member as usize];
-            let (enter, leave) = (load::<R, S>(simd, enter), load::<R, S>(simd, leave));
+            let (enter, leave) = interval(member);
             held &= bits(enter.simd_lt(leave));
             first = first.max(enter);
             last = last.min(leave);
