@@ -46,11 +46,7 @@ pub fn refiner(
     precision: Precision,
     features: &Features,
 ) -> Result<Box<dyn Refiner>, DeviceError> {
-    Ok(match precision {
-        Precision::F32 => Box::new(OpenCl::<f32>::new(info, plan, precision, features, Math::Strict)?),
-        Precision::F64 if info.has_f64 => Box::new(OpenCl::<f64>::new(info, plan, precision, features, Math::Strict)?),
-        Precision::F64 => return Err(no_doubles(info)),
-    })
+    opened(None, info, plan, precision, features)
 }
 
 /// The same in singles, with a program for which the compiler need not keep to the rules of arithmetic (fast-math): to see what
@@ -83,28 +79,21 @@ pub fn tracer_in(
     precision: Precision,
     features: &Features,
 ) -> Result<Box<dyn Tracer>, DeviceError> {
-    let of = (info, plan, features);
-    Ok(match precision {
-        Precision::F32 => Box::new(in_manner::<f32>(manner, of, precision)?),
-        Precision::F64 if info.has_f64 => Box::new(in_manner::<f64>(manner, of, precision)?),
-        Precision::F64 => return Err(no_doubles(info)),
-    })
+    Ok(opened(Some(manner), info, plan, precision, features)?)
 }
 
-fn in_manner<R: Real + Plain>(
-    manner: Manner,
-    (info, plan, features): (&DeviceInfo, &Plan, &Features),
+/// Opens a device in a manner, or as a render does.
+fn opened(
+    manner: Option<Manner>,
+    info: &DeviceInfo,
+    plan: &Plan,
     precision: Precision,
-) -> Result<OpenCl<R>, DeviceError> {
-    Ok(match manner {
-        Manner::Denormals => OpenCl::new(info, plan, precision, features, Math::Denormals)?,
-        Manner::Groups(side) => {
-            let tracer = OpenCl::new(info, plan, precision, features, Math::Strict)?;
-            OpenCl {
-                session: tracer.session.in_groups(side),
-                ..tracer
-            }
-        }
+    features: &Features,
+) -> Result<Box<dyn Refiner>, DeviceError> {
+    Ok(match precision {
+        Precision::F32 => Box::new(OpenCl::<f32>::opened(manner, info, plan, precision, features)?),
+        Precision::F64 if info.has_f64 => Box::new(OpenCl::<f64>::opened(manner, info, plan, precision, features)?),
+        Precision::F64 => return Err(no_doubles(info)),
     })
 }
 
@@ -139,6 +128,27 @@ pub(crate) struct OpenCl<R> {
 }
 
 impl<R: Real + Plain> OpenCl<R> {
+    fn opened(
+        manner: Option<Manner>,
+        info: &DeviceInfo,
+        plan: &Plan,
+        precision: Precision,
+        features: &Features,
+    ) -> Result<Self, DeviceError> {
+        let math = match manner {
+            Some(Manner::Denormals) => Math::Denormals,
+            Some(Manner::Groups(_)) | None => Math::Strict,
+        };
+        let tracer = Self::new(info, plan, precision, features, math)?;
+        Ok(match manner {
+            Some(Manner::Groups(side)) => Self {
+                session: tracer.session.in_groups(side),
+                ..tracer
+            },
+            Some(Manner::Denormals) | None => tracer,
+        })
+    }
+
     fn new(
         info: &DeviceInfo,
         plan: &Plan,
