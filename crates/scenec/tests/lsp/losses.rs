@@ -8,6 +8,18 @@ use serde_json::{Value, json};
 use crate::client::Client;
 use crate::preview::{SEED, URI, drawing, long, slow, wish};
 
+/// A server whose process that draws has drawn a picture.
+fn drawn() -> Client {
+    let mut client = drawing(SEED);
+    check_draws(&mut client, 1);
+    client
+}
+
+fn check_draws(client: &mut Client, number: i64) {
+    let answer = client.request("scene/render", wish(number, "draft")).unwrap();
+    assert_eq!(answer["outcome"], "done", "{answer}");
+}
+
 /// Kills the process that draws for a server.
 fn kill(client: &Client) {
     let listed = Command::new("ps")
@@ -56,9 +68,7 @@ fn the_process_that_draws_may_die() {
 
 #[test]
 fn one_that_dies_again_and_again_is_given_up_until_something_changes() {
-    let mut client = drawing(SEED);
-    let answer = client.request("scene/render", wish(1, "draft")).unwrap();
-    assert_eq!(answer["outcome"], "done", "{answer}");
+    let mut client = drawn();
     fares(&mut client, "ready");
     for wait in [200, 400, 800, 1600] {
         let begin = Instant::now();
@@ -87,16 +97,13 @@ fn one_that_dies_again_and_again_is_given_up_until_something_changes() {
     // Another setting is another chance, at once.
     let settings = json!({"settings": {"scenec": {"device": "cpu", "lens": false}}});
     client.notify("workspace/didChangeConfiguration", settings);
-    let answer = client.request("scene/render", wish(3, "draft")).unwrap();
-    assert_eq!(answer["outcome"], "done", "{answer}");
+    check_draws(&mut client, 3);
     client.farewell();
 }
 
 #[test]
 fn one_that_was_given_up_is_tried_again_after_a_while() {
-    let mut client = drawing(SEED);
-    let picture = client.request("scene/render", wish(1, "draft")).unwrap();
-    assert_eq!(picture["outcome"], "done", "{picture}");
+    let mut client = drawn();
     for _ in 0..5 {
         fares(&mut client, "ready");
         kill(&client);
