@@ -7,17 +7,21 @@ mod case;
 mod judge;
 mod list;
 mod machines;
+mod off;
 mod picture_error;
 mod table;
 mod template;
 mod tree;
+mod verdict;
+mod work;
 
 pub use case::{Case, CaseError, Oracle, Run, Sum};
-pub use judge::{Outcome, Verdict, judge};
+pub use judge::judge;
 pub use list::cases;
 pub use machines::Machines;
 pub use picture_error::apart;
 pub use table::{summary, table};
+pub use verdict::{Outcome, Verdict};
 
 use scenec_scene::Scene;
 

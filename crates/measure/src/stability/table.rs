@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::Verdict;
-use super::judge::Outcome;
+use super::verdict::Outcome;
 
 /// A row for each verdict, and a closing line; with a column for POV-Ray if it was asked.
 #[must_use]
