@@ -123,3 +123,76 @@ fn area(node: &Node) -> f32 {
     let [x, y, z] = [0, 1, 2].map(|axis| node.high[axis] - node.low[axis]);
     x * y + y * z + z * x
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{BLOCK, Choice, LANES, MANY, NODE, area, choices, family};
+    use crate::packed::packed_structs::Node;
+
+    /// What the chosen tree below a node costs.
+    fn chosen(nodes: &[Node], choices: &[Choice], from: u32) -> f32 {
+        let own = area(&nodes[from as usize]);
+        if choices[from as usize].is_closed() {
+            return own * BLOCK;
+        }
+        let children = family(nodes, choices, from);
+        assert!((2..=LANES).contains(&children.len()));
+        children.iter().map(|child| chosen(nodes, choices, *child)).sum::<f32>() + own * NODE
+    }
+
+    /// All ways to write what is below a node as a forest, and the least cost of each number of trees.
+    fn forests(nodes: &[Node], choices: &[Choice], from: u32) -> Vec<f32> {
+        let node = &nodes[from as usize];
+        let own = area(node);
+        let closed = if choices[from as usize].weight < MANY {
+            own * BLOCK
+        } else {
+            f32::INFINITY
+        };
+        let mut least = vec![f32::INFINITY, closed];
+        if node.count == 0 {
+            let [left, right] = [node.first, node.first + 1].map(|child| forests(nodes, choices, child));
+            least.resize(left.len() + right.len() - 1, f32::INFINITY);
+            for (i, a) in left.iter().enumerate() {
+                for (j, b) in right.iter().enumerate() {
+                    least[i + j] = least[i + j].min(a + b);
+                }
+            }
+            let inner = least[2..].iter().take(LANES - 1).copied().fold(f32::INFINITY, f32::min);
+            least[1] = closed.min(inner + own * NODE);
+        }
+        least
+    }
+
+    /// A tree over balls on a line, divided where the generator says.
+    fn tree(balls: u32, mut seed: u32) -> Vec<Node> {
+        let (mut nodes, mut open) = (vec![Node::default()], vec![(0_usize, 0, balls)]);
+        while let Some((at, start, end)) = open.pop() {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let middle = start + 1 + (seed >> 8) % (end - start).max(2).saturating_sub(1);
+            let high = [end as f32, 1.0 + (seed >> 28) as f32, 1.0];
+            let leaf = end - start == 1;
+            nodes[at] = Node {
+                low: [start as f32, 0.0, 0.0],
+                high,
+                first: if leaf { start } else { nodes.len() as u32 },
+                count: u32::from(leaf),
+            };
+            if !leaf {
+                open.extend([(nodes.len(), start, middle), (nodes.len() + 1, middle, end)]);
+                nodes.extend([Node::default(); 2]);
+            }
+        }
+        nodes
+    }
+
+    #[test]
+    fn no_forest_is_cheaper() {
+        for seed in 0..200 {
+            let nodes = tree(2 + seed % 60, seed);
+            let choices = choices(&nodes, |_| true);
+            let (found, least) = (chosen(&nodes, &choices, 0), forests(&nodes, &choices, 0)[1]);
+            assert!((found - least).abs() <= 1e-4 * least, "{seed}: {found} {least}");
+        }
+    }
+}
