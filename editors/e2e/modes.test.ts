@@ -6,7 +6,7 @@ import { after, afterEach, before, test } from "node:test";
 
 import { type Code, shot, startCode } from "./code.ts";
 import { BALL, fine, HEAD } from "./scenes.ts";
-import { isBlue, isRed, Window } from "./window.ts";
+import { fill, isBlue, isRed, Window } from "./window.ts";
 
 const SETTINGS = {
   "scenec.hints.fields": false,
@@ -37,9 +37,14 @@ async function show(file: string): Promise<Window> {
     // In the group of the texts, and not over a picture.
     await window.page.keyboard.press("Control+1");
     const input = window.page.locator(".quick-input-widget input:visible");
-    await window.press("Control+p", input);
-    await input.fill(file);
-    await window.page.locator(`.quick-input-list .monaco-list-row[aria-label^="${file}"]`).first().click();
+    const row = window.page.locator(`.quick-input-list .monaco-list-row[aria-label^="${file}"]`).first();
+    const list = async () => {
+      await window.page.keyboard.press("Escape");
+      await window.press("Control+p", input);
+      await fill(input, file);
+    };
+    await window.again(list, row);
+    await row.click();
   }
   await there.editor.waitFor();
   return there;

@@ -10,6 +10,11 @@ import { type Code, PATIENCE, shot } from "./code.ts";
 /** After how long a key counts as swallowed, in milliseconds. */
 const SWALLOWED = 15_000;
 
+/** Writes into an input. It may close before that, as when something else takes the focus; whoever asked then does all of it again. */
+export async function fill(input: Locator, text: string): Promise<void> {
+  await input.fill(text, { timeout: SWALLOWED }).catch(() => undefined);
+}
+
 export class Window {
   readonly page: Page;
   readonly editor: Locator;
@@ -83,7 +88,7 @@ export class Window {
     const list = async () => {
       await this.page.keyboard.press("Escape");
       await this.press("F1", input);
-      await input.fill(`>${command}`);
+      await fill(input, `>${command}`);
     };
     await this.again(list, row);
     await row.click();
@@ -95,7 +100,7 @@ export class Window {
     const input = this.page.locator(".quick-input-widget input:visible");
     await this.until(`the cursor at ${line}:${column}`, async () => {
       await this.press("Control+g", input);
-      await input.fill(`:${line}:${column}`);
+      await fill(input, `:${line}:${column}`);
       await this.page.keyboard.press("Enter");
       const end = Date.now() + SWALLOWED;
       while (Date.now() < end) {
