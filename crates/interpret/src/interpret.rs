@@ -91,12 +91,18 @@ pub fn interpret<L: Borrow<Line>>(
     interpreter.finish()
 }
 
+/// Interprets a file while its lines are read ahead; the parser's findings come apart.
+#[must_use]
+pub fn interpret_ahead(source: &SourceFile) -> ((Interpretation, Vec<Diagnostic>), Vec<Diagnostic>) {
+    let mut interpreter = Interpreter::new(source);
+    let findings = read_ahead(source, |lines| interpreter.lines(&lines));
+    (interpreter.finish(), findings)
+}
+
 /// Parses and interprets a file. The findings of both stages come in one list, ordered by place.
 #[must_use]
 pub fn analyse(source: &SourceFile) -> (Interpretation, Vec<Diagnostic>) {
-    let mut interpreter = Interpreter::new(source);
-    let mut diagnostics = read_ahead(source, |lines| interpreter.lines(&lines));
-    let (interpretation, more) = interpreter.finish();
+    let ((interpretation, more), mut diagnostics) = interpret_ahead(source);
     diagnostics.extend(more);
     diagnostics.sort_by_key(|finding| finding.span().start);
     (interpretation, diagnostics)

@@ -12,5 +12,5 @@ mod statements;
 mod suggest;
 mod symbols;
 
-pub use interpret::{Fragments, Interpretation, Interpreter, analyse, interpret, scene_of};
+pub use interpret::{Fragments, Interpretation, Interpreter, analyse, interpret, interpret_ahead, scene_of};
 pub use symbols::{Definition, DefinitionId, Occurrence, Role, Symbol, SymbolId, SymbolTable};

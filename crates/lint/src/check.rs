@@ -3,7 +3,7 @@
 use std::panic::resume_unwind;
 use std::thread;
 
-use scenec_interpret::{Interpretation, Interpreter, interpret};
+use scenec_interpret::{Interpretation, Interpreter, interpret, interpret_ahead};
 use scenec_syntax::{Line, Lines, parse_again, read_ahead};
 use scenec_text::{Diagnostic, SourceFile};
 
@@ -33,9 +33,8 @@ pub struct Checked {
 /// after the other and not kept: they would take more memory than everything else.
 #[must_use]
 pub fn check(source: &SourceFile) -> Checked {
-    let mut interpreter = Interpreter::new(source);
-    let findings = read_ahead(source, |lines| interpreter.lines(&lines));
-    judge(source, findings, interpreter.finish(), apply)
+    let (read, findings) = interpret_ahead(source);
+    judge(source, findings, read, apply)
 }
 
 /// The same without the rules about geometry, which take the longest, and on this thread alone.
