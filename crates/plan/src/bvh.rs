@@ -38,21 +38,18 @@ pub(crate) fn arrange(islands: Vec<Island>) -> Arranged {
         .iter()
         .map(|index| island(*index).members.1 - island(*index).members.0)
         .sum();
-    let mut nodes = Vec::new();
-    let linear = if members <= SHORT_LIST {
-        order.extend(bounded);
-        order.len()
+    let (places, mut nodes) = if members <= SHORT_LIST {
+        order.extend(&bounded);
+        Default::default()
     } else {
-        let linear = order.len();
         let boxes: Vec<_> = bounded.iter().map(|index| outward(&island(*index).bounds)).collect();
-        let places;
-        (places, nodes) = build(&boxes);
-        order.extend(places.iter().map(|place| bounded[*place as usize]));
-        for node in nodes.iter_mut().filter(|node| node.count > 0) {
-            node.first += linear as u32;
-        }
-        linear
+        build(&boxes)
     };
+    let linear = order.len();
+    order.extend(places.iter().map(|place| bounded[*place as usize]));
+    for node in nodes.iter_mut().filter(|node| node.count > 0) {
+        node.first += linear as u32;
+    }
     Arranged {
         list: order.into_iter().map(|index| islands[index as usize]).collect(),
         linear,
