@@ -10,7 +10,7 @@ use std::io::{self, Write};
 use std::ops::Range;
 
 use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
-use scenec_text::{Severity, SourceFile, Span};
+use scenec_text::{Severity, SourceFile};
 
 use crate::finding::Shown;
 pub(crate) use colour::ColourChoice;
@@ -114,10 +114,9 @@ pub(crate) fn draw(
     colour: bool,
     most: usize,
 ) -> io::Result<()> {
-    let mut printer = Printer {
+    let printer = Printer {
         source,
         name: sanitise(source.name()),
-        whole: None,
         colour,
     };
     let (chosen, hidden) = choose(findings, most);
@@ -185,63 +184,42 @@ pub(crate) fn remark(out: &mut impl Write, message: &str) -> io::Result<()> {
 struct Printer<'a> {
     source: &'a SourceFile,
     name: String,
-    /// The whole file as it may reach a terminal, made when the first finding needs it and kept for the others.
-    whole: Option<Source<String>>,
     colour: bool,
 }
 
 impl Printer<'_> {
-    fn one(&mut self, out: &mut (impl Write + ?Sized), shown: &impl Shown) -> io::Result<()> {
-        let finding = shown.diagnostic();
-        if let Some(excerpt) = Excerpt::of(self.source, finding) {
-            let mut drawn = Vec::new();
-            let place = |_: Span, index: usize| excerpt.places.get(index).cloned().unwrap_or_default();
-            let report = self.draw(shown, place);
-            report.write((self.name.clone(), Source::from(excerpt.text)), &mut drawn)?;
-            // The drawing counts columns from the start of the excerpt; the file counts them from the start of the line.
-            let drawn = String::from_utf8_lossy(&drawn);
-            let (first, rest) = drawn.split_once('\n').unwrap_or((&drawn, ""));
-            let shown = format!("{}:{}:{}", self.name, excerpt.line, excerpt.shown_column);
-            let true_place = format!("{}:{}:{}", self.name, excerpt.line, excerpt.column);
-            return writeln!(out, "{first}\n{}", rest.replacen(&shown, &true_place, 1));
-        }
-        let start = first_byte(self.source);
-        let whole = self.whole.take().unwrap_or_else(|| {
-            // The space gives an empty last line something to point at.
-            Source::from(sanitise(self.source.text().get(start..).unwrap_or_default()) + " ")
-        });
-        let place = |span: Span, _: usize| {
-            let snap = |offset: u32| snap(self.source.text(), offset as usize).max(start) - start;
-            snap(span.start)..snap(span.end).max(snap(span.start))
-        };
-        let report = self.draw(shown, place);
-        report.write((self.name.clone(), &whole), &mut *out)?;
-        self.whole = Some(whole);
-        writeln!(out)
+    fn one(&self, out: &mut (impl Write + ?Sized), shown: &impl Shown) -> io::Result<()> {
+        let excerpt = Excerpt::of(self.source, shown.diagnostic());
+        let mut drawn = Vec::new();
+        let report = self.draw(shown, &excerpt.places);
+        report.write((self.name.clone(), Source::from(&excerpt.text)), &mut drawn)?;
+        writeln!(
+            out,
+            "{}",
+            excerpt.numbered(&String::from_utf8_lossy(&drawn), &self.name)
+        )
     }
 
-    fn draw(
-        &self,
-        shown: &impl Shown,
-        place: impl Fn(Span, usize) -> Range<usize>,
-    ) -> Report<'static, (String, Range<usize>)> {
+    /// A finding whose labels lie at these places.
+    fn draw(&self, shown: &impl Shown, places: &[Range<usize>]) -> Report<'static, (String, Range<usize>)> {
         let finding = shown.diagnostic();
         let (kind, colour) = match shown.severity() {
             Severity::Error => (ReportKind::Error, Color::Red),
             Severity::Warning => (ReportKind::Warning, Color::Yellow),
             Severity::Hint => (ReportKind::Advice, Color::Cyan),
         };
+        let place = |index: usize| places.get(index).cloned().unwrap_or_default();
         let config = Config::default()
             .with_color(self.colour)
             .with_index_type(IndexType::Byte);
-        let mut report = Report::build(kind, (self.name.clone(), place(finding.span(), 0)))
+        let mut report = Report::build(kind, (self.name.clone(), place(0)))
             .with_config(config)
             .with_code(finding.code.id())
             .with_message(sanitise(&finding.message));
         for (index, label) in finding.labels.iter().enumerate() {
             let line = self.source.position(label.span.start).line;
             report = report.with_label(
-                Label::new((self.name.clone(), place(label.span, index)))
+                Label::new((self.name.clone(), place(index)))
                     .with_message(sanitise(&label.message))
                     .with_color(if index == 0 { colour } else { Color::Blue })
                     // Labels out of the order of their lines would be drawn as if they were of several files.
@@ -252,15 +230,6 @@ impl Printer<'_> {
             report = report.with_help(sanitise(help));
         }
         report.finish()
-    }
-}
-
-/// The length of a byte-order mark, if there is one.
-fn first_byte(source: &SourceFile) -> usize {
-    if source.text().starts_with('\u{FEFF}') {
-        '\u{FEFF}'.len_utf8()
-    } else {
-        0
     }
 }
 

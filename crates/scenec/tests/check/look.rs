@@ -70,6 +70,12 @@ fn a_broken_file_looks_like_this() {
 }
 
 #[test]
+fn lines_far_apart_look_like_this() {
+    let between = "\n".repeat(12_000);
+    insta::assert_snapshot!("far-apart", report(&format!("{SETTINGS}{between}!ball *= 2 2 2\n")));
+}
+
+#[test]
 fn two_lines_of_one_finding_look_like_this() {
     insta::assert_snapshot!(
         "two-lines",
