@@ -3,8 +3,6 @@
 
 #if COMPOUND && CELLS
 
-#define CELL_PART 3
-#define CELL_FULL 5
 /* A ray that starts farther out is not followed through cells, whose walls leave no room for its rounding. */
 #define CELLS_REACH ((real)8)
 

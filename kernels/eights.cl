@@ -5,9 +5,6 @@
 
 /* On each level of the hierarchy all children of a node but one wait, and for a moment that one too. */
 #define EIGHTS_DEPTH (7 * HIERARCHY_DEPTH + 1)
-#define CHILD_SHIFT 30
-#define CHILD_NODE 0
-#define CHILD_BLOCK 1
 #define CHILD_INDEX(child) ((child) & ((1u << CHILD_SHIFT) - 1))
 
 /* A child and the rays that are to go there; none of them enters it before `entry`. */

@@ -5,10 +5,6 @@
 
 #if COMPOUND
 
-#define OPERATION_SHIFT 29
-#define COMPLEMENT 3
-#define PROGRAM_DEPTH 26
-
 #if !PROGRAMS
 #define IS_PRODUCT(part) true
 #else

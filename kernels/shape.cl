@@ -1,9 +1,6 @@
 /* Where rays run inside a surface's solid: one interval each, since balls, ellipsoids and half-spaces are convex; and where
    they meet surfaces. */
 
-#define KIND_BALL 0
-#define KIND_HALF_SPACE 2
-
 #if !HALF_SPACES
 #define IS_HALF_SPACE(shape) false
 #elif !BALLS && !ELLIPSOIDS

@@ -1,14 +1,14 @@
 //! Where a ray runs inside a surface's solid: always one interval, since balls, ellipsoids and half-spaces are convex.
 
-use scenec_plan::Real;
 use scenec_plan::packed_structs::{Shape, Touch};
+use scenec_plan::{Real, ShapeKind};
 
 use crate::lanes::Lanes;
 use crate::ray::Ray;
 use crate::vector::{Arithmetic, Vector, add, columns, dot, fma, normalize, rows, scale, sub};
 
-pub(crate) const BALL: u32 = 0;
-pub(crate) const HALF_SPACE: u32 = 2;
+pub(crate) const BALL: u32 = ShapeKind::Ball.number();
+pub(crate) const HALF_SPACE: u32 = ShapeKind::HalfSpace.number();
 
 /// Distances at which the ray enters and leaves; nothing if the first is not below the second.
 pub(crate) type Interval<R> = (R, R);

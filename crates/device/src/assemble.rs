@@ -5,7 +5,7 @@
 use std::fmt::Write;
 
 use scenec_kernels::{Piece, TRACER};
-use scenec_plan::{Features, FieldKind, LAYOUTS, Layout};
+use scenec_plan::{Features, FieldKind, LAYOUTS, Layout, NUMBERS};
 
 use crate::info::DeviceInfo;
 
@@ -43,7 +43,7 @@ pub(crate) const fn item_side(features: &Features) -> u32 {
 #[must_use]
 pub fn source(precision: Precision, features: &Features) -> String {
     let mut text = prelude(precision);
-    for (name, value) in features.list() {
+    for (name, value) in NUMBERS.iter().copied().chain(features.list()) {
         // Writing to a string does not fail.
         let _ = writeln!(text, "#define {name} {value}");
     }

@@ -4,7 +4,6 @@
 //! side is generated, and refuses a struct that would hold padding in either precision.
 
 use crate::layout::{Describe, Field, Layout, Number};
-use crate::shape::ShapeKind;
 use crate::wide::{Child, LANES};
 use crate::{Plan, Real};
 
@@ -438,11 +437,7 @@ fn packed_shape<R: Real>(shape: &crate::Shape) -> Shape<R> {
         centre: vector(shape.centre.to_array()),
         inverse: vector(shape.inverse().transpose().to_cols_array()),
         linear: vector(shape.linear().transpose().to_cols_array()),
-        kind: match shape.kind() {
-            ShapeKind::Ball => 0,
-            ShapeKind::Ellipsoid => 1,
-            ShapeKind::HalfSpace => 2,
-        },
+        kind: shape.kind().number(),
         class: shape.class,
     }
 }

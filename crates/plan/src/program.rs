@@ -7,7 +7,7 @@ pub const OPERATION_SHIFT: u32 = 29;
 const SWAPPED: u32 = 4;
 
 /// The operation that pushes a complement.
-const COMPLEMENT: u32 = 3;
+pub(crate) const COMPLEMENT: u32 = 3;
 
 /// The most truths that wait while a program runs; see [`evaluate`].
 pub const PROGRAM_DEPTH: usize = 26;

@@ -4,6 +4,7 @@ use scenec_scene::{DMat3, DVec3};
 
 /// What a surface is.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[repr(u32)]
 pub enum ShapeKind {
     /// A sphere that stayed one.
     Ball,
@@ -11,6 +12,14 @@ pub enum ShapeKind {
     Ellipsoid,
     /// A half-space.
     HalfSpace,
+}
+
+impl ShapeKind {
+    /// The number that stands for it among tracers.
+    #[must_use]
+    pub const fn number(self) -> u32 {
+        self as u32
+    }
 }
 
 /// A surface in numbers. There may be millions of them, most of them balls.

@@ -5,14 +5,11 @@
 mod build;
 mod forest;
 
-use crate::Real;
 use crate::packed::packed_structs::{Block, Shape, WideNode};
+use crate::{Real, ShapeKind};
 
 /// How many boxes or balls stand together.
 pub const LANES: usize = 8;
-
-/// The number of balls among the kinds of shapes.
-const BALL: u32 = 0;
 
 impl<R: Real> Block<R> {
     /// One of the balls as a surface.
@@ -24,7 +21,7 @@ impl<R: Real> Block<R> {
             centre: [self.centre[0][lane], self.centre[1][lane], self.centre[2][lane]],
             inverse: diagonal(self.inverse[lane]),
             linear: diagonal(self.radius[lane]),
-            kind: BALL,
+            kind: ShapeKind::Ball.number(),
             class: self.class[lane],
         }
     }
@@ -58,7 +55,10 @@ pub enum Kind {
 }
 
 impl Child {
-    const SHIFT: u32 = 30;
+    pub(crate) const SHIFT: u32 = 30;
+    pub(crate) const NODE: u32 = 0;
+    pub(crate) const BLOCK: u32 = 1;
+    pub(crate) const RUN: u32 = 2;
     /// Nothing.
     pub const NONE: Self = Self(u32::MAX);
 
@@ -72,8 +72,8 @@ impl Child {
     pub const fn kind(self) -> Kind {
         let index = (self.0 & ((1 << Self::SHIFT) - 1)) as usize;
         match self.0 >> Self::SHIFT {
-            0 => Kind::Node(index),
-            1 => Kind::Block(index),
+            Self::NODE => Kind::Node(index),
+            Self::BLOCK => Kind::Block(index),
             _ => Kind::Run(index),
         }
     }

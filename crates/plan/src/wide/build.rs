@@ -6,9 +6,9 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::forest::{Choice, choices, family};
-use super::{BALL, Child, Kind, LANES, Wide};
+use super::{Child, Kind, LANES, Wide};
 use crate::packed::packed_structs::{Block, Island, Leaf, Node, WideNode};
-use crate::{Packed, Real};
+use crate::{Packed, Real, ShapeKind};
 
 impl<R: Real> Wide<R> {
     /// The islands of a plan, in eights.
@@ -43,7 +43,7 @@ const NONE: u32 = u32::MAX;
 fn balls<R: Real>(packed: &Packed<R>) -> Vec<u32> {
     let ball = |island: &Island| {
         let leaf = packed.lone(island)?;
-        (packed.shapes[packed.leaves[leaf as usize].shape as usize].kind == BALL).then_some(leaf)
+        (packed.shapes[packed.leaves[leaf as usize].shape as usize].kind == ShapeKind::Ball.number()).then_some(leaf)
     };
     let ball = |island: &Island| ball(island).unwrap_or(NONE);
     if packed.nodes.len() < MANY_NODES {
@@ -93,7 +93,7 @@ impl<'a, R: Real> Builder<'a, R> {
             match self.wide.runs.last_mut() {
                 Some([_, end]) if *end == index => *end += 1,
                 _ => {
-                    self.wide.start.push(Child::new(2, self.wide.runs.len()));
+                    self.wide.start.push(Child::new(Child::RUN, self.wide.runs.len()));
                     self.wide.runs.push([index, index + 1]);
                 }
             }
@@ -156,10 +156,10 @@ impl<'a, R: Real> Builder<'a, R> {
         let (nodes, blocks, runs) = (self.wide.nodes.len(), self.wide.blocks.len(), self.wide.runs.len());
         let moved = |child: Child| match child.kind() {
             _ if child == Child::NONE => child,
-            Kind::Node(0) => Child::new(0, place),
-            Kind::Node(index) => Child::new(0, nodes + index - 1),
-            Kind::Block(index) => Child::new(1, blocks + index),
-            Kind::Run(index) => Child::new(2, runs + index),
+            Kind::Node(0) => Child::new(Child::NODE, place),
+            Kind::Node(index) => Child::new(Child::NODE, nodes + index - 1),
+            Kind::Block(index) => Child::new(Child::BLOCK, blocks + index),
+            Kind::Run(index) => Child::new(Child::RUN, runs + index),
         };
         let mut taken = part.nodes.into_iter().map(|node| WideNode {
             children: node.children.map(moved),
@@ -182,10 +182,10 @@ impl<'a, R: Real> Builder<'a, R> {
                 return self.block(balls.into_iter());
             }
             self.wide.runs.push([node.first, node.first + node.count]);
-            return Child::new(2, self.wide.runs.len() - 1);
+            return Child::new(Child::RUN, self.wide.runs.len() - 1);
         }
         self.wide.nodes.push(WideNode::EMPTY);
-        Child::new(0, self.wide.nodes.len() - 1)
+        Child::new(Child::NODE, self.wide.nodes.len() - 1)
     }
 
     /// The balls below a node.
@@ -219,7 +219,7 @@ impl<'a, R: Real> Builder<'a, R> {
             block.there |= 1 << lane;
         }
         self.wide.blocks.push(block);
-        Child::new(1, self.wide.blocks.len() - 1)
+        Child::new(Child::BLOCK, self.wide.blocks.len() - 1)
     }
 }
 
