@@ -1,7 +1,7 @@
 //! The OpenCL sources by name, and nothing else.
 //!
-//! They are written over `real`, which the host defines as `float` or `double`, over the structs that it generates, and
-//! over its feature switches; in this order they make one program.
+//! They are written over `real`, which the host defines as `float` or `double`, over the structs that it generates and the
+//! numbers that these hold, and over its feature switches; in this order they make one program.
 
 /// A piece of the program.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -217,7 +217,7 @@ impl Printer<'_> {
             .with_code(finding.code.id())
             .with_message(sanitise(&finding.message));
         for (index, label) in finding.labels.iter().enumerate() {
-            let line = self.source.position(label.span.start).line;
+            let line = self.source.line_of(label.span.start);
             report = report.with_label(
                 Label::new((self.name.clone(), place(index)))
                     .with_message(sanitise(&label.message))

@@ -36,7 +36,7 @@ impl Excerpt {
     pub(super) fn of(source: &SourceFile, finding: &Diagnostic) -> Self {
         let mut firsts = BTreeMap::new();
         for offset in finding.labels.iter().flat_map(|label| ends(label.span)) {
-            let first = firsts.entry(source.position(offset).line).or_insert(offset);
+            let first = firsts.entry(source.line_of(offset)).or_insert(offset);
             *first = offset.min(*first);
         }
         let (mut text, mut numbers, mut cuts) = (String::new(), Vec::new(), BTreeMap::new());
@@ -57,7 +57,7 @@ impl Excerpt {
         text.push(' ');
         let place = |line: u32, offset: u32| cuts.get(&line).map_or(0, |cut| cut.place(source, offset));
         let within = |span: Span| {
-            let [first, last] = ends(span).map(|offset| source.position(offset).line);
+            let [first, last] = ends(span).map(|offset| source.line_of(offset));
             let start = place(first, span.start);
             start..place(last, span.end).max(start)
         };
