@@ -4,7 +4,6 @@
 //! drawing of the whole file would look at each line between two labels, and a file may have millions.
 
 use std::collections::BTreeMap;
-use std::iter::once;
 use std::ops::Range;
 
 use scenec_text::{Diagnostic, SourceFile, Span};
@@ -61,12 +60,14 @@ impl Excerpt {
             let start = place(first, span.start);
             start..place(last, span.end).max(start)
         };
+        let places: Vec<_> = finding.labels.iter().map(|label| within(label.span)).collect();
         let primary = source.position(finding.span().start);
-        let start = within(finding.span()).start;
+        // The first label is where the finding is.
+        let start = places.first().map_or(0, |place| place.start);
         let before = text.get(..start).unwrap_or_default();
         let column = before.rsplit('\n').next().unwrap_or_default().chars().count();
         Self {
-            places: finding.labels.iter().map(|label| within(label.span)).collect(),
+            places,
             shown: [before.matches('\n').count() + 1, column + 1],
             place: [primary.line + 1, primary.chars + 1],
             text,
@@ -84,16 +85,15 @@ impl Excerpt {
         let digits = |number: usize| number.to_string().len();
         let last = self.numbers.last().map_or(0, |last| *last as usize);
         let more = digits(last) - digits(self.numbers.len());
-        let mut lines = drawn.split_inclusive('\n');
-        let message = lines.next().unwrap_or_default().to_owned();
-        let header = lines.next().unwrap_or_default().replacen(&shown, &place, 1);
-        let rest = once(header).chain(lines.map(str::to_owned));
-        once(message)
-            .chain(rest.map(|line| self.widened(&line, more)))
-            .collect()
+        // The place stands below the message.
+        let numbered = |(number, line): (usize, &str)| match number {
+            1 => self.widened(&line.replacen(&shown, &place, 1), more),
+            _ => self.widened(line, more),
+        };
+        drawn.split_inclusive('\n').enumerate().map(numbered).collect()
     }
 
-    /// A drawn line with so much more margin; where a number stands there, the one that its line has in the file.
+    /// A drawn line with so much more margin, if it has one; where a number stands there, the one that its line has in the file.
     fn widened(&self, line: &str, more: usize) -> String {
         let (colour, rest) = coloured(line);
         if rest.starts_with('─') {
