@@ -46,16 +46,17 @@ impl Key {
     /// of a step. A ball is an ellipsoid here, and a half-space its complement.
     pub(crate) fn cell(shape: &Shape, steps: f64, shift: f64) -> Self {
         let grid = Grid { steps, shift };
-        match shape.form {
+        match &shape.form {
             Form::HalfSpace { .. } => Self {
                 turned: false,
                 ..Self::on(grid, shape)
             },
-            _ => Self {
+            Form::Ball { radius } => Self {
                 kind: ShapeKind::Ellipsoid,
                 turned: false,
-                numbers: ellipsoid(shape.centre, &shape.linear(), grid),
+                numbers: with_gram(shape.centre, *radius, &DMat3::IDENTITY, grid),
             },
+            Form::Ellipsoid(_) => Self::on(grid, shape),
         }
     }
 
@@ -106,10 +107,14 @@ fn ball(centre: DVec3, radius: f64, grid: Grid) -> [i64; 12] {
 /// The matrix by its Gram matrix, since a rotation of the unit sphere changes nothing.
 fn ellipsoid(centre: DVec3, linear: &DMat3, grid: Grid) -> [i64; 12] {
     let largest = largest(linear);
+    let l = *linear * (1.0 / largest);
+    with_gram(centre, largest, &(l * l.transpose()), grid)
+}
+
+/// An ellipsoid by its largest number and the Gram matrix of all that it has, as parts of that; a ball's is the identity.
+fn with_gram(centre: DVec3, largest: f64, gram: &DMat3, grid: Grid) -> [i64; 12] {
     let (size, own) = (near_power(centre.abs().max_element() + largest), near_power(largest));
     let [x, y, z] = centre.to_array().map(|x| grid.step(x, size));
-    let l = *linear * (1.0 / largest);
-    let gram = l * l.transpose();
     let [a, b, c] = gram.x_axis.to_array().map(|x| grid.step(x, 1.0));
     let [_, d, e] = gram.y_axis.to_array().map(|x| grid.step(x, 1.0));
     let f = grid.step(gram.z_axis.z, 1.0);

@@ -5,9 +5,9 @@
 
 use hashbrown::{HashMap, HashSet};
 
-use scenec_scene::{Base, MaterialId, Op, Scene, Solid, SolidId, SolidKind, Transform};
+use scenec_scene::{Base, MaterialId, Op, Scene, Solid, SolidId, SolidKind};
 
-use crate::shapes::Shapes;
+use crate::shapes::{Shapes, Sought};
 use crate::summary::Reason;
 use crate::terms::{Join, LeafFacts, Term, Terms};
 use crate::{Box3, Leaf};
@@ -98,9 +98,10 @@ pub(crate) fn normalise(scene: &Scene, uses: &[u32]) -> Normal {
             painted: HashMap::new(),
         },
         known: HashMap::new(),
+        alone: Vec::new(),
     };
     let mut seen = HashSet::new();
-    let mut alone = Vec::new();
+    let mut lone = Vec::with_capacity(AT_ONCE);
     let mut open = vec![Painted {
         id: scene.root,
         paint: None,
@@ -109,19 +110,31 @@ pub(crate) fn normalise(scene: &Scene, uses: &[u32]) -> Normal {
     while let Some(here) = open.pop() {
         match step(scene, here) {
             Step::Inside(inside) => open.push(inside),
-            Step::Leaf => work.lone_leaf(here, &mut alone),
+            Step::Leaf => {
+                lone.push(here);
+                if lone.len() == AT_ONCE {
+                    work.lone_leaves(&mut lone);
+                }
+            }
             // A part that is there already adds nothing to a union.
             Step::Both(..) if uses[here.id.index()] > 1 && !seen.insert(here) => {}
             Step::Both(Join::Union, left, right) => open.extend([right, left]),
-            Step::Both(..) => work.tree(here),
+            Step::Both(..) => {
+                work.lone_leaves(&mut lone);
+                work.tree(here);
+            }
         }
     }
+    work.lone_leaves(&mut lone);
     let Normal {
         shapes, terms, roots, ..
     } = &mut work.normal;
     *roots = terms.union(shapes, std::mem::take(roots));
     work.normal
 }
+
+/// So many leaves of the root's unions are looked for at once.
+const AT_ONCE: usize = 32;
 
 /// No leaf.
 const NONE: u32 = u32::MAX;
@@ -163,6 +176,8 @@ struct Work<'a> {
     materials: HashMap<MaterialId, u32>,
     leaves: Leaves,
     known: HashMap<Painted, Term>,
+    /// Of each surface, whether a leaf of the root's unions has it.
+    alone: Vec<bool>,
 }
 
 impl Work<'_> {
@@ -174,13 +189,20 @@ impl Work<'_> {
         if let Some(known) = self.leaves.get(here.id, paint(here, leaf)) {
             return Some(known);
         }
+        let (sought, bounds) = self.look(leaf);
+        let shape = self.normal.shapes.intern(sought);
+        Some(self.add(here, leaf, bounds, shape))
+    }
+
+    /// The surface of a leaf as it is looked for, and the leaf's box.
+    fn look(&self, leaf: &scenec_scene::Leaf) -> (Sought, Box3) {
         let transform = self.scene.transform(leaf);
-        let shape = self.normal.shapes.intern(leaf.base, &transform);
-        Some(self.add(here, leaf, &transform, shape))
+        let sought = self.normal.shapes.sought(leaf.base, &transform);
+        (sought, Box3::of_leaf(leaf.base, &transform))
     }
 
     /// Takes up a leaf that is not there yet.
-    fn add(&mut self, here: Painted, leaf: &scenec_scene::Leaf, transform: &Transform, shape: u32) -> u32 {
+    fn add(&mut self, here: Painted, leaf: &scenec_scene::Leaf, bounds: Box3, shape: u32) -> u32 {
         let named = here.paint.unwrap_or(leaf.material);
         let Normal {
             materials,
@@ -195,37 +217,45 @@ impl Work<'_> {
         let solid = here.id.0;
         let number = leaves.len() as u32;
         if leaf.base == Base::HalfSpace {
-            terms
-                .complements
-                .insert(number, Box3::of_complement(leaf.base, transform));
+            let transform = self.scene.transform(leaf);
+            let complement = Box3::of_complement(leaf.base, &transform);
+            terms.complements.insert(number, complement);
         }
         leaves.push(Leaf { shape, material, solid });
-        terms.leaves.push(LeafFacts {
-            shape,
-            solid,
-            bounds: Box3::of_leaf(leaf.base, transform),
-        });
+        terms.leaves.push(LeafFacts { shape, solid, bounds });
         self.leaves.insert(here.id, paint(here, leaf), number);
         number
     }
 
+    /// Takes leaves of the root's unions out of a list.
+    fn lone_leaves(&mut self, list: &mut Vec<Painted>) {
+        let scene = self.scene;
+        let mut looked: Vec<_> = Vec::with_capacity(list.len());
+        for here in list.drain(..) {
+            if let SolidKind::Leaf(leaf) = &scene.solid(here.id).kind {
+                looked.push((here, leaf, self.look(leaf)));
+            }
+        }
+        let shapes = &self.normal.shapes;
+        looked.iter().for_each(|(_, _, (sought, _))| shapes.expect(sought));
+        for (here, leaf, (sought, bounds)) in looked {
+            self.lone_leaf(here, leaf, sought, bounds);
+        }
+    }
+
     /// A leaf of the root's unions. A second one with the same surface can't be seen: the left one owns it.
-    fn lone_leaf(&mut self, here: Painted, alone: &mut Vec<bool>) {
-        let SolidKind::Leaf(leaf) = &self.scene.solid(here.id).kind else {
-            return;
-        };
+    fn lone_leaf(&mut self, here: Painted, leaf: &scenec_scene::Leaf, sought: Sought, bounds: Box3) {
         let known = self.leaves.get(here.id, paint(here, leaf));
-        let transform = self.scene.transform(leaf);
         let shape = match known {
             Some(known) => self.normal.leaves[known as usize].shape,
-            None => self.normal.shapes.intern(leaf.base, &transform),
+            None => self.normal.shapes.intern(sought),
         };
-        alone.resize(self.normal.shapes.list.len(), false);
-        if std::mem::replace(&mut alone[shape as usize], true) {
+        self.alone.resize(self.normal.shapes.list.len(), false);
+        if std::mem::replace(&mut self.alone[shape as usize], true) {
             self.normal.terms.why.entry(here.id.0).or_insert(Reason::Twin);
             return;
         }
-        let leaf = known.unwrap_or_else(|| self.add(here, leaf, &transform, shape));
+        let leaf = known.unwrap_or_else(|| self.add(here, leaf, bounds, shape));
         let negative = here.negative;
         self.normal.roots.push(Term::Leaf { leaf, negative });
     }

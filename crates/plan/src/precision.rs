@@ -51,6 +51,9 @@ const TOLERANCE: f64 = 1.0 / 16.0;
 /// intersection is off by a handful of roundings of each of two surfaces, and its point by as much again.
 const NEAR: f64 = (1 << 18) as f64;
 
+/// So many surfaces are looked for at once.
+const AT_ONCE: usize = 32;
+
 /// The largest number that single precision may meet in a shape: an intersection multiplies up to two of them.
 const LARGEST: f64 = (1_u64 << 60) as f64;
 
@@ -117,15 +120,21 @@ fn nearly_coincident(shapes: &[Shape], leaves: &[Leaf]) -> Option<BeyondSingle> 
     let crowded = |shift: f64| {
         let mut cells = Register::with_room(leaves.len());
         let cell = |leaf: u32| Key::cell(shape_of(leaf), NEAR, shift);
-        (0..leaves.len() as u32).find_map(|leaf| {
-            let key = cell(leaf);
-            let Some(first) = cells.find(&key, cell) else {
-                cells.file(&key, leaf);
-                return None;
-            };
-            let solids = [first, leaf].map(|leaf| leaves[leaf as usize].solid);
-            (shape_of(first).class != shape_of(leaf).class)
-                .then_some(BeyondSingle::NearlyCoincident { solids: solids.into() })
+        let mut halves = Vec::with_capacity(AT_ONCE);
+        (0..leaves.len() as u32).step_by(AT_ONCE).find_map(|start| {
+            let end = leaves.len().min(start as usize + AT_ONCE) as u32;
+            halves.clear();
+            halves.extend((start..end).map(|leaf| cells.half(&cell(leaf))));
+            halves.iter().for_each(|half| cells.expect(*half));
+            (start..end).zip(&halves).find_map(|(leaf, half)| {
+                let Some(first) = cells.find(*half, |first| cell(first) == cell(leaf)) else {
+                    cells.file(*half, leaf);
+                    return None;
+                };
+                let solids = [first, leaf].map(|leaf| leaves[leaf as usize].solid);
+                (shape_of(first).class != shape_of(leaf).class)
+                    .then_some(BeyondSingle::NearlyCoincident { solids: solids.into() })
+            })
         })
     };
     let (first, second) = together(leaves.len(), || crowded(0.0), || crowded(0.5));

@@ -21,6 +21,12 @@ pub(crate) struct Shapes {
     classes: u32,
 }
 
+/// A shape and half of what its key hashes to.
+pub(crate) struct Sought {
+    shape: Shape,
+    half: u32,
+}
+
 impl Shapes {
     /// None, with room for so many.
     pub(crate) fn with_room(room: usize) -> Self {
@@ -32,15 +38,28 @@ impl Shapes {
         }
     }
 
-    /// The number of the shape of a base object that went this way.
-    pub(crate) fn intern(&mut self, base: Base, transform: &Transform) -> u32 {
+    /// What is looked for, of a base object that went this way.
+    pub(crate) fn sought(&self, base: Base, transform: &Transform) -> Sought {
         let shape = canonical(base, transform);
-        let key = Key::of(&shape);
-        if let Some(known) = self.find(&key) {
+        let half = self.known.half(&Key::of(&shape));
+        Sought { shape, half }
+    }
+
+    /// See [`Register::expect`].
+    pub(crate) fn expect(&self, sought: &Sought) {
+        self.known.expect(sought.half);
+    }
+
+    /// The number of a shape.
+    pub(crate) fn intern(&mut self, Sought { shape, half }: Sought) -> u32 {
+        if let Some(known) = self.find(half, || Key::of(&shape)) {
             return known;
         }
         let twin = match shape.kind() {
-            ShapeKind::HalfSpace => self.find(&key.of_complement()),
+            ShapeKind::HalfSpace => {
+                let key = Key::of(&shape).of_complement();
+                self.find(self.known.half(&key), || key)
+            }
             _ => None,
         };
         let (shape, turned) = match twin.map(|twin| &self.list[twin as usize]) {
@@ -58,14 +77,15 @@ impl Shapes {
         let number = self.list.len() as u32;
         self.list.push(shape);
         self.turned.push(turned);
-        self.known.file(&key, number);
+        self.known.file(half, number);
         number
     }
 
     /// The number of the shape with a key. A half-space that took the numbers of one on the other side of its plane has
     /// the key that those numbers give.
-    fn find(&self, key: &Key) -> Option<u32> {
-        self.known.find(key, |number| Key::of(&self.list[number as usize]))
+    fn find(&self, half: u32, key: impl Fn() -> Key) -> Option<u32> {
+        self.known
+            .find(half, |number| Key::of(&self.list[number as usize]) == key())
     }
 }
 
@@ -120,7 +140,7 @@ mod tests {
         let mut shapes = Shapes::default();
         let numbers: Vec<_> = leaves
             .iter()
-            .map(|(base, transform)| shapes.intern(*base, transform))
+            .map(|(base, transform)| shapes.intern(shapes.sought(*base, transform)))
             .collect();
         numbers
             .iter()

@@ -110,7 +110,7 @@ mod tests {
 
     fn check(base: Base, transform: Transform, min: [f64; 3], max: [f64; 3], expect: Side) {
         let mut shapes = Shapes::default();
-        shapes.intern(base, &transform);
+        shapes.intern(shapes.sought(base, &transform));
         let bounds = Box3 {
             min: min.into(),
             max: max.into(),
