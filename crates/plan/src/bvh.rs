@@ -1,11 +1,12 @@
 //! The hierarchy over bounded islands.
 
-use hashbrown::HashSet;
+use std::hash::BuildHasher;
+
+use hashbrown::DefaultHashBuilder;
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::leaf_collapser::collapse;
-use obvhs::bvh2::node::Bvh2Node;
 use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::ploc::PlocBuilder;
 
@@ -69,27 +70,32 @@ fn outward(bounds: &Box3) -> Corners {
     [low, high]
 }
 
-/// The order of the islands, and nodes whose leaves count from 0 in that order.
+/// The order of the islands, and nodes whose leaves count from 0 in that order; each node stands before its children.
 fn build(boxes: &[Corners]) -> (Vec<u32>, Vec<Node>) {
     let fine = Some(boxes).filter(|boxes| spread(boxes)).and_then(clustered);
-    match fine {
-        Some(tree) if tree.primitive_indices.len() == boxes.len() && depth(children(&tree)) <= MAX_DEPTH => {
-            let nodes = tree.nodes.iter().map(node).collect();
-            (tree.primitive_indices, nodes)
-        }
-        _ => halved(boxes),
-    }
+    fine.and_then(|tree| laid_out(&tree))
+        .filter(|(order, _)| order.len() == boxes.len())
+        .unwrap_or_else(|| halved(boxes))
 }
 
-/// Whether the boxes stand in places of their own. The library's builder joins neighbours along a space-filling curve; of
-/// many boxes in one place it joins one pair a pass, which is quadratic.
+/// Whether more than half of the boxes stand in places of their own. The library's builder joins neighbours along a
+/// space-filling curve; of many boxes in one place it joins one pair a pass, which is quadratic.
 fn spread(boxes: &[Corners]) -> bool {
     let middle =
         |[low, high]: &Corners| -> [u32; 3] { std::array::from_fn(|i| (low[i] / 2.0 + high[i] / 2.0).to_bits()) };
-    let mut places = HashSet::with_capacity(boxes.len() / 2 + 1);
-    boxes
-        .iter()
-        .any(|corners| places.insert(middle(corners)) && places.len() > boxes.len() / 2)
+    // Each place marks one bit of four and more that there are for each box. As many places as marks there are at least, and of
+    // places that are all different few share one.
+    let bits = (4 * boxes.len()).next_power_of_two().max(64);
+    let mut marks = vec![0_u64; bits / 64];
+    let hashing = DefaultHashBuilder::default();
+    let mut marked = 0;
+    boxes.iter().any(|corners| {
+        let bit = hashing.hash_one(middle(corners)) as usize % bits;
+        let (marks, mark) = (&mut marks[bit / 64], 1 << (bit % 64));
+        marked += usize::from(*marks & mark == 0);
+        *marks |= mark;
+        marked > boxes.len() / 2
+    })
 }
 
 /// The library's tree; nothing where it is so deep (many islands in one place) that the library's own later steps, which
@@ -108,7 +114,8 @@ fn clustered(boxes: &[Corners]) -> Option<Bvh2> {
         params.sort_precision,
         params.search_depth_threshold,
     );
-    if depth(children(&tree)) > MAX_DEPTH {
+    let inner = |index: usize| (tree.nodes[index].prim_count == 0).then_some(tree.nodes[index].first_index);
+    if !tree.children_are_ordered_after_parents || depth(tree.nodes.len(), inner) > MAX_DEPTH {
         return None;
     }
     ReinsertionOptimizer::default().run(&mut tree, params.reinsertion_batch_ratio, None);
@@ -116,35 +123,48 @@ fn clustered(boxes: &[Corners]) -> Option<Bvh2> {
     Some(tree)
 }
 
-fn node(node: &Bvh2Node) -> Node {
-    Node {
-        low: node.aabb.min.to_array(),
-        high: node.aabb.max.to_array(),
-        first: node.first_index,
-        count: node.prim_count,
+/// The library's tree from left to right: what is near in space is near in memory. Nothing where it is too deep.
+fn laid_out(tree: &Bvh2) -> Option<(Vec<u32>, Vec<Node>)> {
+    let mut order = Vec::with_capacity(tree.primitive_indices.len());
+    let mut nodes = Vec::with_capacity(tree.nodes.len());
+    nodes.push(Node::default());
+    let mut open = vec![(0_u32, 0_usize, 1)];
+    while let Some((from, place, level)) = open.pop() {
+        let node = tree.nodes.get(from as usize)?;
+        let (first, count) = (node.first_index as usize, node.prim_count as usize);
+        let start = if count > 0 {
+            order.extend(tree.primitive_indices.get(first..first + count)?);
+            order.len() - count
+        } else if level < MAX_DEPTH {
+            let start = nodes.len();
+            open.extend([1, 0].map(|side| (node.first_index + side as u32, start + side, level + 1)));
+            nodes.extend([Node::default(); 2]);
+            start
+        } else {
+            return None;
+        };
+        nodes[place] = Node {
+            low: node.aabb.min.to_array(),
+            high: node.aabb.max.to_array(),
+            first: start as u32,
+            count: node.prim_count,
+        };
     }
+    Some((order, nodes))
 }
 
-/// How deep a tree is, given the first of a node's two children, or nothing for a leaf; stops a little beyond what the tracers'
-/// stacks hold.
-fn depth(first_child: impl Fn(u32) -> Option<u32>) -> usize {
+/// How deep a tree is whose nodes stand before their children, given the first of a node's two children, or nothing for a leaf.
+fn depth(nodes: usize, first_child: impl Fn(usize) -> Option<u32>) -> usize {
+    let mut levels = vec![1_u8; nodes];
     let mut deepest = 0;
-    let mut open = vec![(0_u32, 1)];
-    while let Some((index, level)) = open.pop() {
+    for index in 0..nodes {
+        let level = levels[index];
         deepest = deepest.max(level);
-        if let Some(first) = first_child(index).filter(|_| level <= MAX_DEPTH) {
-            open.extend([(first, level + 1), (first + 1, level + 1)]);
+        if let Some(first) = first_child(index) {
+            levels[first as usize..][..2].fill(level.saturating_add(1));
         }
     }
-    deepest
-}
-
-/// For [`depth`], of a tree of the library.
-fn children(tree: &Bvh2) -> impl Fn(u32) -> Option<u32> {
-    |index| {
-        let node = &tree.nodes.get(index as usize)?;
-        (node.prim_count == 0).then_some(node.first_index)
-    }
+    deepest.into()
 }
 
 /// A plain halving of the islands by their centres along the longest axis: as deep as the logarithm of their number
@@ -200,8 +220,9 @@ mod tests {
         let mut sorted = order.clone();
         sorted.sort_unstable();
         assert_eq!(sorted, (0..boxes.len() as u32).collect::<Vec<_>>());
-        let first = |index: u32| (nodes[index as usize].count == 0).then_some(nodes[index as usize].first);
-        assert!(depth(first) <= MAX_DEPTH);
+        let first = |index: usize| (nodes[index].count == 0).then_some(nodes[index].first);
+        assert!((0..nodes.len()).all(|index| first(index).is_none_or(|first| first as usize > index)));
+        assert!(depth(nodes.len(), first) <= MAX_DEPTH);
         let mut covered = 0;
         for node in nodes.iter().filter(|node| node.count > 0) {
             assert!(node.count as usize <= LEAF_ISLANDS || node.count < 256);

@@ -84,7 +84,8 @@ pub struct Plan {
     pub program: Vec<Instruction>,
     /// The leaves (indices) that the programs name, left before right within a program.
     pub members: Vec<u32>,
-    /// The hierarchy over the bounded islands; empty where a list serves better. The root is node 0.
+    /// The hierarchy over the bounded islands; empty where a list serves better. The root is node 0, and
+    /// each node stands before its children.
     pub nodes: Vec<packed_structs::Node>,
     /// Entry j bounds what a ray that may still bounce j times can bring back, any component.
     pub reach: Vec<f64>,

@@ -7,6 +7,7 @@ use hashbrown::{HashMap, HashSet};
 
 use scenec_scene::{Base, MaterialId, Op, Scene, Solid, SolidId, SolidKind};
 
+use crate::register::AT_ONCE;
 use crate::shapes::{Shapes, Sought};
 use crate::summary::Reason;
 use crate::terms::{Join, LeafFacts, Term, Terms};
@@ -132,9 +133,6 @@ pub(crate) fn normalise(scene: &Scene, uses: &[u32]) -> Normal {
     *roots = terms.union(shapes, std::mem::take(roots));
     work.normal
 }
-
-/// So many leaves of the root's unions are looked for at once.
-const AT_ONCE: usize = 32;
 
 /// No leaf.
 const NONE: u32 = u32::MAX;

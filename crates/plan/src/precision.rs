@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::frame::View;
 use crate::key::Key;
-use crate::register::Register;
+use crate::register::{AT_ONCE, Register};
 use crate::shape::{Form, Shape};
 use crate::together::together;
 use crate::{Leaf, Plan};
@@ -50,9 +50,6 @@ const TOLERANCE: f64 = 1.0 / 16.0;
 /// The grid on which surfaces count as nearly coincident, in steps of their size: 64 roundings of single precision each. An
 /// intersection is off by a handful of roundings of each of two surfaces, and its point by as much again.
 const NEAR: f64 = (1 << 18) as f64;
-
-/// So many surfaces are looked for at once.
-const AT_ONCE: usize = 32;
 
 /// The largest number that single precision may meet in a shape: an intersection multiplies up to two of them.
 const LARGEST: f64 = (1_u64 << 60) as f64;

@@ -9,6 +9,9 @@ use std::hint::black_box;
 
 use hashbrown::DefaultHashBuilder;
 
+/// So many keys are best looked for at once, see [`Register::expect`].
+pub(crate) const AT_ONCE: usize = 32;
+
 /// The fewest slots.
 const FEWEST: usize = 16;
 

@@ -32,7 +32,7 @@ impl Choice {
     }
 }
 
-/// Chooses for all nodes of pairs, those of their leaves being balls that are `ball`.
+/// Chooses for all nodes of pairs, each of which stands before its children, those of their leaves being balls that are `ball`.
 ///
 /// The cost is what a ray that meets the whole has to test on average, a box being met as often as it is large on its outside
 /// (Goldsmith and Salmon 1987; of wide nodes Wald et al. 2008). The least for a forest in place of a node comes from those of its
@@ -40,8 +40,7 @@ impl Choice {
 pub(super) fn choices(nodes: &[Node], ball: impl Fn(usize) -> bool) -> Vec<Choice> {
     let mut costs = vec![[0.0; LANES - 1]; nodes.len()];
     let mut choices = vec![Choice::CLOSED; nodes.len()];
-    for index in downwards(nodes).into_iter().rev() {
-        let (node, index) = (&nodes[index as usize], index as usize);
+    for (index, node) in nodes.iter().enumerate().rev() {
         let first = node.first as usize;
         let area = area(node);
         if node.count > 0 {
@@ -102,20 +101,6 @@ pub(super) fn family(nodes: &[Node], choices: &[Choice], from: u32) -> Vec<u32> 
         open.extend([(first + 1, trees - part), (first, part)]);
     }
     family
-}
-
-/// All nodes, each before its children.
-fn downwards(nodes: &[Node]) -> Vec<u32> {
-    let mut order = Vec::with_capacity(nodes.len());
-    let mut open: Vec<u32> = if nodes.is_empty() { vec![] } else { vec![0] };
-    while let Some(index) = open.pop() {
-        order.push(index);
-        let node = &nodes[index as usize];
-        if node.count == 0 {
-            open.extend([node.first, node.first + 1]);
-        }
-    }
-    order
 }
 
 /// Half the outside of a box.
