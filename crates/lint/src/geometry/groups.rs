@@ -1,5 +1,8 @@
 //! Unions of many: which members of one are in it for nothing.
 
+use std::panic::resume_unwind;
+use std::thread::{self, ScopedJoinHandle};
+
 use scenec_scene::{MaterialId, Op, Scene, SolidId, SolidKind};
 
 use super::bounds::Bounds;
@@ -12,6 +15,11 @@ const MOST_PAIRS: usize = 4_000_000;
 
 /// How many nodes of the tree may be looked at for each member, on average.
 const STEPS_PER_MEMBER: u64 = 64;
+
+/// From so many bounded members on, starting threads costs less than they save; in how many parts the members then take their
+/// turns, whatever the number of threads, so that every machine finds the same.
+const MANY: usize = 1 << 14;
+const PARTS: usize = 8;
 
 /// A solid that is united with others, itself no union.
 #[derive(Clone, Copy, Debug)]
@@ -153,7 +161,15 @@ impl Group {
             cover.by_unbounded();
             cover.by_bounded();
         }
-        cover.found
+        let member = |number: u32| self.members.get(number as usize).copied();
+        let covered = |found: Found| {
+            Some(Covered {
+                inner: member(found.inner)?,
+                outer: member(found.outer)?,
+                proof: found.proof,
+            })
+        };
+        cover.found.into_iter().filter_map(covered).collect()
     }
 }
 
@@ -163,16 +179,19 @@ struct Cover<'a> {
     group: &'a Group,
     /// Which members need no more looking at.
     done: Vec<bool>,
-    found: Vec<Covered>,
+    found: Vec<Found>,
+}
+
+/// A [`Covered`] by the members' places in the list.
+struct Found {
+    inner: u32,
+    outer: u32,
+    proof: Option<Proof>,
 }
 
 impl Cover<'_> {
     fn is_done(&self, number: u32) -> bool {
         self.done.get(number as usize).copied().unwrap_or(true)
-    }
-
-    fn member(&self, number: u32) -> Option<Member> {
-        self.group.members.get(number as usize).copied()
     }
 
     /// Every member against those without bounds, of which there are mostly few; of very many, only the first ones.
@@ -199,19 +218,45 @@ impl Cover<'_> {
             .map(|(at, (_, bounds))| (u32::MAX - class(bounds), at))
             .collect();
         order.sort_unstable();
-        let mut steps = STEPS_PER_MEMBER * (order.len() as u64 + 1024);
+        if order.len() < MANY {
+            return self.take_turns(&order);
+        }
+        // Each part knows what it found itself; what an earlier one found besides makes a later one look for nothing, no more.
+        let parts: Vec<_> = thread::scope(|scope| {
+            let part = |turns| {
+                let mut part = Cover {
+                    done: self.done.clone(),
+                    found: Vec::new(),
+                    ..*self
+                };
+                scope.spawn(move || {
+                    part.take_turns(turns);
+                    part.found
+                })
+            };
+            let parts: Vec<_> = order.chunks(order.len().div_ceil(PARTS)).map(part).collect();
+            let joined = parts.into_iter().map(ScopedJoinHandle::join);
+            joined
+                .map(|part| part.unwrap_or_else(|panic| resume_unwind(panic)))
+                .collect()
+        });
+        parts.into_iter().flatten().for_each(|found| self.note(found));
+    }
+
+    /// Takes members, by their place in the tree, against those whose boxes lie in their own.
+    fn take_turns(&mut self, turns: &[(u32, u32)]) {
+        let tree = &self.group.tree;
+        let mut steps = STEPS_PER_MEMBER * (turns.len() as u64 + 1024);
         let mut near = Vec::new();
-        for (_, at) in order {
-            let Some((outer, bounds)) = group.tree.items().get(at as usize) else {
+        for (_, at) in turns {
+            let Some((outer, bounds)) = tree.items().get(*at as usize) else {
                 continue;
             };
             if self.is_done(*outer) {
                 continue;
             }
             near.clear();
-            group
-                .tree
-                .lying_in(&bounds.grown(), &mut steps, |number| near.push(number));
+            tree.lying_in(&bounds.grown(), &mut steps, |number| near.push(number));
             for inner in &near {
                 self.compare(*inner, *outer);
             }
@@ -223,19 +268,82 @@ impl Cover<'_> {
         if inner == outer || self.is_done(inner) || self.is_done(outer) {
             return;
         }
-        let (Some(one), Some(other)) = (self.member(inner), self.member(outer)) else {
+        let member = |number: u32| self.group.members.get(number as usize);
+        let (Some(one), Some(other)) = (member(inner), member(outer)) else {
             return;
         };
-        let mut note = |number: u32, inner: Member, outer: Member, proof: Option<Proof>| {
-            if let Some(done) = self.done.get_mut(number as usize) {
-                *done = true;
-            }
-            self.found.push(Covered { inner, outer, proof });
+        let Some(proof) = self.prover.within(one.solid, other.solid) else {
+            return;
         };
-        match self.prover.within(one.solid, other.solid) {
-            Some(None) if inner < outer => note(outer, other, one, None),
-            Some(proof) => note(inner, one, other, proof),
-            None => {}
+        let (inner, outer) = match proof {
+            None => (inner.max(outer), inner.min(outer)),
+            Some(_) => (inner, outer),
+        };
+        self.note(Found { inner, outer, proof });
+    }
+
+    fn note(&mut self, found: Found) {
+        if self.is_done(found.inner) || self.is_done(found.outer) {
+            return;
         }
+        if let Some(done) = self.done.get_mut(found.inner as usize) {
+            *done = true;
+        }
+        self.found.push(found);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fmt::Write;
+
+    use scenec_interpret::scene_of;
+
+    use super::{MANY, PARTS};
+    use crate::geometry::Geometry;
+
+    const SETTINGS: &str = include_str!("../../../../scenes/seed.scene");
+
+    /// Balls in a row, each seventh of which holds a small one, and a large ball around the first hundred: what lies in another one
+    /// is found, and the largest is named.
+    fn check(row: u32) {
+        let row_of = |number: u32| (0.4, f64::from(number));
+        let held = (0..row).step_by(7).map(|number| (0.1, f64::from(number)));
+        let balls: Vec<_> = (0..row).map(row_of).chain(held).chain([(99.0, 0.0)]).collect();
+        let mut text = SETTINGS.split_once("/ Object tree").unwrap().0.to_owned();
+        text.push_str("!all := sphere\n!all += 0 500 0\n");
+        for (radius, x) in &balls {
+            writeln!(
+                text,
+                "!b := sphere\n!b *= {radius} {radius} {radius}\n!b += {x} 0 0\n!all := all | b"
+            )
+            .unwrap();
+        }
+        text.push_str("!all <=\n");
+        let geometry = Geometry::of(&scene_of(&text).unwrap());
+        let members = &geometry.root.members;
+        let ball = |solid| members.iter().position(|member| member.solid == solid).unwrap() - 1;
+        let mut found: Vec<_> = geometry
+            .covered
+            .iter()
+            .map(|covered| (ball(covered.inner.solid), ball(covered.outer.solid)))
+            .collect();
+        found.sort_unstable();
+        let largest = balls.len() - 1;
+        let mut expect = Vec::new();
+        for (number, (radius, x)) in balls.iter().enumerate() {
+            if number != largest && x + radius < 99.0 {
+                expect.push((number, largest));
+            } else if *radius == 0.1 {
+                expect.push((number, *x as usize));
+            }
+        }
+        assert!(found == expect, "{row}: {} {}", found.len(), expect.len());
+    }
+
+    #[test]
+    fn what_lies_in_another_one_is_found_in_one_part_and_in_many() {
+        check(300);
+        check((MANY + PARTS) as u32);
     }
 }
