@@ -6,8 +6,10 @@
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
+use std::sync::Mutex;
 
 use hashbrown::HashMap;
+use rayon::prelude::*;
 
 use scenec_scene::DVec3;
 
@@ -15,7 +17,7 @@ use crate::packed::packed_structs::Cell;
 use crate::parts::Parts;
 use crate::postfix::{Pruner, Rest, Token};
 use crate::shape::{Shape, ShapeKind};
-use crate::{Box3, Part};
+use crate::{Box3, Leaf, Part};
 
 /// A cell that is not divided holds a part, ...
 pub const CELL_PART: u32 = 3;
@@ -49,21 +51,40 @@ const ROOM: usize = 8192;
 /// The part of a cell that is cut off for being empty.
 const GAP: f64 = 0.15;
 
+/// So many cells are divided at once, the dearest ones, whatever the number of threads: every machine finds the same.
+const AT_ONCE: usize = 1024;
+/// From so many tokens on, starting threads costs less than they save.
+const MANY: usize = 1 << 13;
+
 /// Divides islands.
 pub(crate) struct Divider<'a> {
-    pruner: Pruner<'a>,
-    /// What holds each leaf.
-    boxes: &'a [Box3],
-    /// Where things are, and the eye.
-    stage: Box3,
+    stage: Stage<'a>,
+    /// One for each thread that has come by.
+    cutters: Mutex<Vec<Cutter<'a>>>,
     known: HashMap<Vec<Token>, u32>,
     pub(crate) cells: Vec<Cell>,
     pub(crate) parts: Vec<Part>,
 }
 
+/// What cells are cut out of.
+#[derive(Clone, Copy)]
+pub(crate) struct Stage<'a> {
+    pub(crate) shapes: &'a [Shape],
+    pub(crate) leaves: &'a [Leaf],
+    /// What holds each leaf.
+    pub(crate) boxes: &'a [Box3],
+    /// Where things are, and the eye.
+    pub(crate) bounds: Box3,
+}
+
+/// Divides one cell after the other.
+struct Cutter<'a> {
+    stage: Stage<'a>,
+    pruner: Pruner<'a>,
+}
+
 /// A cell that may yet be divided.
 struct Open {
-    weight: f64,
     cell: usize,
     tokens: Vec<Token>,
     bounds: Box3,
@@ -73,23 +94,30 @@ struct Open {
     stale: u32,
 }
 
-impl PartialEq for Open {
+/// A cell in a line of cells, the dearest first.
+struct Waiting {
+    weight: f64,
+    open: Box<Open>,
+}
+
+impl PartialEq for Waiting {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other) == Ordering::Equal
     }
 }
 
-impl Eq for Open {}
+impl Eq for Waiting {}
 
-impl PartialOrd for Open {
+impl PartialOrd for Waiting {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl Ord for Open {
+impl Ord for Waiting {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.weight.total_cmp(&other.weight).then(other.cell.cmp(&self.cell))
+        let cells = other.open.cell.cmp(&self.open.cell);
+        self.weight.total_cmp(&other.weight).then(cells)
     }
 }
 
@@ -100,6 +128,19 @@ struct Split {
     sides: [(Rest, Box3); 2],
 }
 
+/// A cell that has been divided.
+struct Cut {
+    axis: usize,
+    wall: f32,
+    sides: [Half; 2],
+}
+
+/// One side of a wall; a cell there has no number yet.
+enum Half {
+    Done(Draft),
+    Open(Waiting),
+}
+
 /// A cell on the way to its final form.
 enum Draft {
     Split { axis: usize, wall: f32, first: usize },
@@ -108,11 +149,10 @@ enum Draft {
 }
 
 impl<'a> Divider<'a> {
-    pub(crate) fn new(pruner: Pruner<'a>, boxes: &'a [Box3], stage: Box3) -> Self {
+    pub(crate) fn new(stage: Stage<'a>) -> Self {
         Self {
-            pruner,
-            boxes,
             stage,
+            cutters: Mutex::default(),
             known: HashMap::new(),
             cells: Vec::new(),
             parts: Vec::new(),
@@ -161,60 +201,110 @@ impl<'a> Divider<'a> {
         }
     }
 
-    /// The dearest cell is divided first, as long as that pays and there is room.
-    fn drafts(&mut self, tokens: &[Token]) -> Option<Vec<Draft>> {
-        let root = self.open(0, tokens.to_vec(), Box3::ALL, 0, 0);
-        if root.leaves <= SMALL {
-            return None;
-        }
+    /// The dearest cells are divided first, as long as that pays and there is room.
+    fn drafts(&self, tokens: &[Token]) -> Option<Vec<Draft>> {
+        let root = self.with_cutter(|cutter| cutter.open(tokens.to_vec(), Box3::ALL, 0, 0));
+        let Half::Open(root) = root else { return None };
         let most = tokens.len().saturating_mul(GROWTH).saturating_add(ROOM);
         let mut total = tokens.len();
         let mut drafts = vec![Draft::Constant(false)];
         let mut waiting = BinaryHeap::from([root]);
-        while let Some(open) = waiting.pop() {
-            let divided = (open.leaves > SMALL && open.depth < CELLS_DEPTH && total < most)
-                .then(|| self.split(&open))
-                .flatten();
-            let Some((Split { axis, wall, sides }, stale)) = divided else {
-                drafts[open.cell] = Draft::Tree(open.tokens);
-                continue;
-            };
-            let first = drafts.len();
-            drafts[open.cell] = Draft::Split { axis, wall, first };
-            total -= open.tokens.len();
-            for (i, (rest, bounds)) in sides.into_iter().enumerate() {
-                match rest {
-                    Rest::Constant(value) => drafts.push(Draft::Constant(value)),
-                    Rest::Tree(tokens) => {
+        while total < most && !waiting.is_empty() {
+            let dearest: Vec<_> = (0..AT_ONCE)
+                .map_while(|_| waiting.pop())
+                .map(|next| next.open)
+                .collect();
+            for (cut, open) in self.cut(&dearest).into_iter().zip(dearest) {
+                let Some(Cut { axis, wall, sides }) = cut else {
+                    drafts[open.cell] = Draft::Tree(open.tokens);
+                    continue;
+                };
+                let first = drafts.len();
+                drafts[open.cell] = Draft::Split { axis, wall, first };
+                total -= open.tokens.len();
+                for side in sides {
+                    let draft = match side {
+                        Half::Done(draft) => draft,
+                        Half::Open(mut next) => {
+                            total += next.open.tokens.len();
+                            next.open.cell = drafts.len();
+                            waiting.push(next);
+                            // Until it is known what becomes of it.
+                            Draft::Constant(false)
+                        }
+                    };
+                    if let Draft::Tree(tokens) = &draft {
                         total += tokens.len();
-                        drafts.push(Draft::Constant(false));
-                        waiting.push(self.open(first + i, tokens, bounds, open.depth + 1, stale));
                     }
+                    drafts.push(draft);
                 }
             }
+        }
+        for Waiting { open, .. } in waiting {
+            drafts[open.cell] = Draft::Tree(open.tokens);
         }
         matches!(drafts[0], Draft::Split { .. }).then_some(drafts)
     }
 
-    fn open(&mut self, cell: usize, tokens: Vec<Token>, bounds: Box3, depth: usize, stale: u32) -> Open {
-        let (boxes, mut hull) = (self.boxes, Box3::EMPTY);
+    /// Divides cells, each if that pays.
+    fn cut(&self, cells: &[Box<Open>]) -> Vec<Option<Cut>> {
+        let cut = |open: &Open| self.with_cutter(|cutter| cutter.cut(open));
+        if cells.iter().map(|open| open.tokens.len()).sum::<usize>() < MANY {
+            cells.iter().map(|open| cut(open)).collect()
+        } else {
+            cells.par_iter().map(|open| cut(open)).collect()
+        }
+    }
+
+    fn with_cutter<T>(&self, work: impl FnOnce(&mut Cutter<'a>) -> T) -> T {
+        let free = self.cutters.lock().ok().and_then(|mut cutters| cutters.pop());
+        let mut cutter = free.unwrap_or_else(|| Cutter {
+            stage: self.stage,
+            pruner: Pruner::new(self.stage.shapes, self.stage.leaves),
+        });
+        let done = work(&mut cutter);
+        if let Ok(mut cutters) = self.cutters.lock() {
+            cutters.push(cutter);
+        }
+        done
+    }
+}
+
+impl Cutter<'_> {
+    /// A cell, unless there is too little in it to divide it.
+    fn open(&mut self, tokens: Vec<Token>, bounds: Box3, depth: usize, stale: u32) -> Half {
+        let (Stage { boxes, .. }, mut hull) = (self.stage, Box3::EMPTY);
         let leaves = self.pruner.distinct(&tokens, |leaf| {
             if boxes[leaf as usize].is_finite() {
                 hull = hull.hull(boxes[leaf as usize]);
             }
         });
-        let hull = if hull.is_empty() { self.stage } else { hull };
-        let hull = hull.intersection(bounds);
-        Open {
-            weight: area(&bounds.intersection(self.stage)) * (leaves * leaves) as f64,
-            cell,
-            tokens,
-            bounds,
-            leaves,
-            hull,
-            depth,
-            stale,
+        if leaves <= SMALL || depth == CELLS_DEPTH {
+            return Half::Done(Draft::Tree(tokens));
         }
+        let hull = if hull.is_empty() { self.stage.bounds } else { hull };
+        let hull = hull.intersection(bounds);
+        Half::Open(Waiting {
+            weight: area(&bounds.intersection(self.stage.bounds)) * (leaves * leaves) as f64,
+            open: Box::new(Open {
+                cell: 0,
+                tokens,
+                bounds,
+                leaves,
+                hull,
+                depth,
+                stale,
+            }),
+        })
+    }
+
+    fn cut(&mut self, open: &Open) -> Option<Cut> {
+        let (Split { axis, wall, sides }, stale) = self.split(open)?;
+        let sides = sides.map(|(rest, bounds)| match rest {
+            Rest::Constant(value) => Half::Done(Draft::Constant(value)),
+            Rest::Tree(tokens) => self.open(tokens, bounds, open.depth + 1, stale),
+        });
+        Some(Cut { axis, wall, sides })
     }
 
     /// The best wall through a cell, and how long nothing has been gained then.

@@ -3,12 +3,12 @@
 
 use scenec_scene::{DVec3, MaterialId};
 
-use crate::cells::{Divider, holder};
+use crate::cells::{Divider, Stage, holder};
 use crate::frame::Place;
 use crate::normal::Normal;
 use crate::packed::packed_structs::Cell;
 use crate::parts::Parts;
-use crate::postfix::{Pruner, Token, write_out};
+use crate::postfix::{Token, write_out};
 use crate::program::Instruction;
 use crate::shape::Shape;
 use crate::terms::{Term, Terms};
@@ -186,16 +186,21 @@ impl Flat {
             false => Box3::point(self.shapes[leaf.shape as usize].centre),
         };
         let places = boxes.iter().zip(&self.leaves).map(place);
-        let stage = places.fold(Box3::point(eye), Box3::hull);
-        let stage = Box3 {
-            min: stage.min - 1.0,
-            max: stage.max + 1.0,
+        let bounds = places.fold(Box3::point(eye), Box3::hull);
+        let stage = Stage {
+            shapes: &self.shapes,
+            leaves: &self.leaves,
+            boxes: &boxes,
+            bounds: Box3 {
+                min: bounds.min - 1.0,
+                max: bounds.max + 1.0,
+            },
         };
         let mut parts = Parts {
             program: std::mem::take(&mut self.program),
             members: std::mem::take(&mut self.members),
         };
-        let mut divider = Divider::new(Pruner::new(&self.shapes, &self.leaves), &boxes, stage);
+        let mut divider = Divider::new(stage);
         for (island, tokens) in trees {
             self.islands[*island].cells = divider.divide(tokens, &mut parts);
         }
