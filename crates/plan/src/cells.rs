@@ -39,6 +39,11 @@ const SLACK: f64 = 16.0 * CELLS_REACH * (1.0 / (1 << 24) as f64) * 2.0;
 
 /// Trees of up to this many leaves are not divided.
 const SMALL: usize = 6;
+/// Trees of up to this many leaves may stay in a cell that few rays meet: a tracer keeps so many crossings at hand.
+const FEW: usize = 16;
+/// What it takes to divide a cell, for each of its tokens, in pairs of leaves that some ray meets: measured between 100 and 1000, with
+/// little to choose.
+const CUT: f64 = 400.0;
 /// What going through a wall costs, in pairs of leaves: with its leaves grow both the crossings that a ray sees in a cell and
 /// what each of them takes.
 const WALL: f64 = 4.0;
@@ -75,6 +80,8 @@ pub(crate) struct Stage<'a> {
     pub(crate) boxes: &'a [Box3],
     /// Where things are, and the eye.
     pub(crate) bounds: Box3,
+    /// About how many rays come through.
+    pub(crate) rays: f64,
 }
 
 /// Divides one cell after the other.
@@ -271,7 +278,7 @@ impl<'a> Divider<'a> {
 }
 
 impl Cutter<'_> {
-    /// A cell, unless there is too little in it to divide it.
+    /// A cell, unless there is too little in it to divide it, or too few rays meet it.
     fn open(&mut self, tokens: Vec<Token>, bounds: Box3, depth: usize, stale: u32) -> Half {
         let (Stage { boxes, .. }, mut hull) = (self.stage, Box3::EMPTY);
         let leaves = self.pruner.distinct(&tokens, |leaf| {
@@ -279,13 +286,17 @@ impl Cutter<'_> {
                 hull = hull.hull(boxes[leaf as usize]);
             }
         });
-        if leaves <= SMALL || depth == CELLS_DEPTH {
+        let weight = area(&bounds.intersection(self.stage.bounds)) * (leaves * leaves) as f64;
+        // Of the rays through the stage a box meets the share that its outside has (Crofton 1868).
+        let rays = self.stage.rays / area(&self.stage.bounds);
+        let in_vain = leaves <= FEW && rays * weight < CUT * tokens.len() as f64;
+        if leaves <= SMALL || depth == CELLS_DEPTH || in_vain {
             return Half::Done(Draft::Tree(tokens));
         }
         let hull = if hull.is_empty() { self.stage.bounds } else { hull };
         let hull = hull.intersection(bounds);
         Half::Open(Waiting {
-            weight: area(&bounds.intersection(self.stage.bounds)) * (leaves * leaves) as f64,
+            weight,
             open: Box::new(Open {
                 cell: 0,
                 tokens,

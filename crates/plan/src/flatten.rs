@@ -154,11 +154,11 @@ impl Flat {
         self
     }
 
-    /// Divides islands that are large trees into cells; `eye` in plan units.
-    pub(crate) fn divided(mut self, eye: DVec3) -> Result<Self, PlanError> {
+    /// Divides islands that are large trees into cells; `eye` in plan units, `rays` about how many there are.
+    pub(crate) fn divided(mut self, eye: DVec3, rays: f64) -> Result<Self, PlanError> {
         let trees = std::mem::take(&mut self.trees);
         if !trees.is_empty() {
-            self.divide(&trees, eye);
+            self.divide(&trees, eye, rays);
         }
         // The largest numbers that the indices and offsets of the packed form must hold.
         let counted = [
@@ -174,7 +174,7 @@ impl Flat {
         }
     }
 
-    fn divide(&mut self, trees: &[(usize, Vec<Token>)], eye: DVec3) {
+    fn divide(&mut self, trees: &[(usize, Vec<Token>)], eye: DVec3, rays: f64) {
         let boxes: Vec<_> = self
             .leaves
             .iter()
@@ -195,6 +195,7 @@ impl Flat {
                 min: bounds.min - 1.0,
                 max: bounds.max + 1.0,
             },
+            rays,
         };
         let mut parts = Parts {
             program: std::mem::take(&mut self.program),

@@ -34,6 +34,13 @@ pub struct View {
     pub zenith: DVec3,
 }
 
+impl View {
+    /// How many rays the eye sends out.
+    pub(crate) fn rays(&self) -> f64 {
+        f64::from(self.width) * f64::from(self.height) * self.samples.len() as f64
+    }
+}
+
 /// A point light.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Lamp {

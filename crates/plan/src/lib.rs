@@ -178,7 +178,8 @@ pub fn plan(scene: &Scene) -> Result<Plan, PlanError> {
     let flat = flatten::flatten(normal)?;
     let place = frame::place(scene, &flat)?;
     let view = frame::view(scene, &place);
-    let flat = flat.relative(&place).divided(view.eye)?;
+    let rays = view.rays() * (1.0 + scene.lights.len() as f64);
+    let flat = flat.relative(&place).divided(view.eye, rays)?;
     let (islands, beyond_single) = together::together(
         flat.leaves.len(),
         || bvh::arrange(flat.islands),
