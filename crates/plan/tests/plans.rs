@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may, in its helpers too")]
 
+use std::fmt::Write;
+
 use scenec_plan::{Features, Plan, PlanError, plan};
 use scenec_text::SourceFile;
 
@@ -75,6 +77,22 @@ fn only_what_the_scene_needs_is_on() {
     assert!(features.lights && features.highlights && features.branching && features.inside);
     assert!(features.products && !features.programs && !features.cells);
     assert_eq!((features.waiting, features.members), (4, 2));
+}
+
+/// A ball minus many small ones, seen with so many samples for each of its few pixels: the number of its cells.
+fn cells(samples: u32) -> usize {
+    let mut text = format!("samples := {samples}\n");
+    for number in 0..300_u32 {
+        let [x, y, z] = [1, 7, 49].map(|step| f64::from(number * step % 101) / 50.0 - 1.0);
+        write!(text, "!b := sphere\n!b *= .1 .1 .1\n!b += {x} {y} {z}\n!s := s - b\n").unwrap();
+    }
+    planned(&format!("{text}!s <=\n")).unwrap().cells.len()
+}
+
+#[test]
+fn cells_are_as_many_as_the_rays_that_meet_them_are_worth() {
+    let [few, many] = [1, 256].map(cells);
+    assert!(0 < few && few < many, "{few} {many}");
 }
 
 #[test]
