@@ -39,8 +39,9 @@ const SLACK: f64 = 16.0 * CELLS_REACH * (1.0 / (1 << 24) as f64) * 2.0;
 
 /// Trees of up to this many leaves are not divided.
 const SMALL: usize = 6;
-/// Trees of up to this many leaves may stay in a cell that few rays meet: a tracer keeps so many crossings at hand.
-const FEW: usize = 16;
+/// Trees of up to this many leaves may stay in a cell that few rays meet. A device's program has room for so many anyway: how
+/// large a picture is does not change which program draws it.
+const FEW: usize = 8;
 /// What it takes to divide a cell, for each of its tokens, in pairs of leaves that some ray meets: measured between 100 and 1000, with
 /// little to choose.
 const CUT: f64 = 400.0;
