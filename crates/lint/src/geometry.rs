@@ -89,9 +89,9 @@ impl Geometry {
             return Place::Unknown;
         }
         let mut certain = true;
-        for member in near.iter().filter_map(|number| self.root.members.get(*number as usize)) {
+        for member in near.into_iter().filter_map(|number| self.root.member(number)) {
             match point::side(scene, member.solid, point) {
-                Side::In => return Place::Inside(*member),
+                Side::In => return Place::Inside(member),
                 Side::Out => {}
                 Side::Unknown => certain = false,
             }

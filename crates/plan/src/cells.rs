@@ -9,7 +9,6 @@ use std::collections::BinaryHeap;
 use std::sync::Mutex;
 
 use hashbrown::HashMap;
-use rayon::prelude::*;
 
 use scenec_scene::DVec3;
 
@@ -17,6 +16,7 @@ use crate::packed::packed_structs::Cell;
 use crate::parts::Parts;
 use crate::postfix::{Pruner, Rest, Token};
 use crate::shape::{Shape, ShapeKind};
+use crate::together::each;
 use crate::{Box3, Leaf, Part};
 
 /// A cell that is not divided holds a part, ...
@@ -256,14 +256,13 @@ impl<'a> Divider<'a> {
 
     /// Divides cells, each if that pays.
     fn cut(&self, cells: &[Box<Open>]) -> Vec<Option<Cut>> {
-        let cut = |open: &Open| self.with_cutter(|cutter| cutter.cut(open));
-        if cells.iter().map(|open| open.tokens.len()).sum::<usize>() < MANY {
-            cells.iter().map(|open| cut(open)).collect()
-        } else {
-            cells.par_iter().map(|open| cut(open)).collect()
-        }
+        let tokens: usize = cells.iter().map(|open| open.tokens.len()).sum();
+        each(cells, tokens >= MANY, |open| {
+            self.with_cutter(|cutter| cutter.cut(open))
+        })
     }
 
+    /// Has a cutter work that nobody else uses meanwhile.
     fn with_cutter<T>(&self, work: impl FnOnce(&mut Cutter<'a>) -> T) -> T {
         let free = self.cutters.lock().ok().and_then(|mut cutters| cutters.pop());
         let mut cutter = free.unwrap_or_else(|| Cutter {

@@ -46,17 +46,16 @@ impl Key {
     /// of a step. A ball is an ellipsoid here, and a half-space its complement.
     pub(crate) fn cell(shape: &Shape, steps: f64, shift: f64) -> Self {
         let grid = Grid { steps, shift };
-        match &shape.form {
-            Form::HalfSpace { .. } => Self {
-                turned: false,
-                ..Self::on(grid, shape)
-            },
+        match shape.form {
             Form::Ball { radius } => Self {
                 kind: ShapeKind::Ellipsoid,
                 turned: false,
-                numbers: with_gram(shape.centre, *radius, &DMat3::IDENTITY, grid),
+                numbers: with_gram(shape.centre, radius, &DMat3::IDENTITY, grid),
             },
-            Form::Ellipsoid(_) => Self::on(grid, shape),
+            _ => Self {
+                turned: false,
+                ..Self::on(grid, shape)
+            },
         }
     }
 

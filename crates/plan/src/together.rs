@@ -18,6 +18,15 @@ pub(crate) fn together<A: Send, B: Send>(
     }
 }
 
+/// What comes of each entry of a list, in their order; on several threads if that is `much` work.
+pub(crate) fn each<T: Sync, U: Send>(entries: &[T], much: bool, work: impl Fn(&T) -> U + Sync + Send) -> Vec<U> {
+    if much {
+        entries.par_iter().map(work).collect()
+    } else {
+        entries.iter().map(work).collect()
+    }
+}
+
 /// What is found in the entries of a list, in their order.
 pub(crate) fn found<T: Sync, F: Send>(entries: &[T], find: impl Fn(&T) -> Option<F> + Sync + Send) -> Vec<F> {
     if entries.len() < MANY {

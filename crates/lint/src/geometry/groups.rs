@@ -149,6 +149,11 @@ impl Group {
         }
     }
 
+    /// The member at a place in the list.
+    pub(super) fn member(&self, number: u32) -> Option<Member> {
+        self.members.get(number as usize).copied()
+    }
+
     /// The members that lie inside another one, or are the same as an earlier one; `skip` tells which to leave alone.
     pub(super) fn covered(&self, prover: Prover<'_>, skip: impl Fn(SolidId) -> bool) -> Vec<Covered> {
         let mut cover = Cover {
@@ -161,11 +166,10 @@ impl Group {
             cover.by_unbounded();
             cover.by_bounded();
         }
-        let member = |number: u32| self.members.get(number as usize).copied();
         let covered = |found: Found| {
             Some(Covered {
-                inner: member(found.inner)?,
-                outer: member(found.outer)?,
+                inner: self.member(found.inner)?,
+                outer: self.member(found.outer)?,
                 proof: found.proof,
             })
         };
@@ -268,8 +272,7 @@ impl Cover<'_> {
         if inner == outer || self.is_done(inner) || self.is_done(outer) {
             return;
         }
-        let member = |number: u32| self.group.members.get(number as usize);
-        let (Some(one), Some(other)) = (member(inner), member(outer)) else {
+        let (Some(one), Some(other)) = (self.group.member(inner), self.group.member(outer)) else {
             return;
         };
         let Some(proof) = self.prover.within(one.solid, other.solid) else {

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use super::forest::{Choice, choices, family};
 use super::{Child, Kind, LANES, Wide};
 use crate::packed::packed_structs::{Block, Island, Leaf, Node, WideNode};
+use crate::together::each;
 use crate::{Packed, Real, ShapeKind};
 
 impl<R: Real> Wide<R> {
@@ -46,11 +47,7 @@ fn balls<R: Real>(packed: &Packed<R>) -> Vec<u32> {
         (packed.shapes[packed.leaves[leaf as usize].shape as usize].kind == ShapeKind::Ball.number()).then_some(leaf)
     };
     let ball = |island: &Island| ball(island).unwrap_or(NONE);
-    if packed.nodes.len() < MANY_NODES {
-        packed.islands.iter().map(ball).collect()
-    } else {
-        packed.islands.par_iter().map(ball).collect()
-    }
+    each(&packed.islands, packed.nodes.len() >= MANY_NODES, ball)
 }
 
 /// Which islands a leaf of the hierarchy of pairs has.
